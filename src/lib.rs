@@ -1,0 +1,4 @@
+//! Placeholder.
+pub mod mechanism;
+pub mod relation;
+pub mod scalar;
