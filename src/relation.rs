@@ -138,13 +138,7 @@ pub trait Relation<S: Scalar>: Sync {
     );
 
     /// Φ_h and (Wᵀλ)_h.
-    fn design(
-        &self,
-        place: Place<'_, S>,
-        lambda: &[S],
-        phi_h: &mut [S],
-        force_h: &mut [S],
-    );
+    fn design(&self, place: Place<'_, S>, lambda: &[S], phi_h: &mut [S], force_h: &mut [S]);
 
     /// (Φ_q v)_q and (Φ_q v)_h for the velocities v_i and v_j.
     fn rate(

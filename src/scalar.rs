@@ -96,7 +96,10 @@ impl Div for Dual {
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
-        Self::new(value, (self.derivative - value * other.derivative) / other.value)
+        Self::new(
+            value,
+            (self.derivative - value * other.derivative) / other.value,
+        )
     }
 }
 
