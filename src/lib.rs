@@ -1,4 +1,5 @@
 //! Placeholder.
+pub mod kernels;
 pub mod mechanism;
 pub mod relation;
 pub mod scalar;
