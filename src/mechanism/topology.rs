@@ -143,16 +143,8 @@ pub enum MechanismError {
 impl Mechanism {
     /// An empty system with the ground under the given name, such as `chassis`.
     pub fn new(ground: &str) -> Self {
-        let ground = Body {
-            name: ground.to_owned(),
-            origin: [0.0; 3],
-        };
-        Self {
-            bodies: vec![ground],
-            points: vec![],
-            joints: vec![],
-            drivers: vec![],
-        }
+        let ground = Body { name: ground.to_owned(), origin: [0.0; 3] };
+        Self { bodies: vec![ground], points: vec![], joints: vec![], drivers: vec![] }
     }
 
     /// Adds a body whose frame has its origin at `origin` (m).
