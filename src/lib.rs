@@ -1,4 +1,5 @@
 //! Placeholder.
 pub mod mechanism;
+pub mod model;
 pub mod relation;
 pub mod scalar;
