@@ -178,7 +178,8 @@ impl Model {
         let mut other = self.clone();
         other.side = self.side.other();
         for point in &mut other.points {
-            point.position[1] = -point.position[1];
+            // Not a plain negation, which would turn 0 into −0.
+            point.position[1] = 0.0 - point.position[1];
         }
         other
     }

@@ -1,12 +1,11 @@
 //! Reads the `[[joints]]` of an architecture file.
 
 use toml::Spanned;
-use toml::de::DeValue;
 
 use super::read::Names;
 use crate::mechanism::{BodyId, Direction, Joint, JointKind, PointId};
 use crate::model::diagnostics::Report;
-use crate::model::read::{FromToml, Section, as_section};
+use crate::model::read::{Section, as_section};
 use crate::model::suggest;
 
 /// The y axis, along which racks slide.
@@ -30,19 +29,6 @@ const KINDS: &[&str] = &[
     "link",
     "in-plane",
     "in-line",
-];
-
-/// What other programs call the kinds.
-const OTHER_NAMES: &[(&str, &str)] = &[
-    ("ball", "spherical"),
-    ("hinge", "revolute"),
-    ("hooke", "universal"),
-    ("cardan", "universal"),
-    ("prismatic", "translational"),
-    ("slider", "translational"),
-    ("weld", "fixed"),
-    ("rod", "link"),
-    ("distance", "link"),
 ];
 
 /// The joints in the order of the file; `None` for a joint with a mistake.
@@ -141,11 +127,7 @@ fn is_kind(kind: &Spanned<String>, report: &mut Report) -> bool {
     if KINDS.contains(&word) {
         return true;
     }
-    let other = OTHER_NAMES.iter().find(|(other, _)| *other == word);
-    let help = match other {
-        Some((_, ours)) => format!("write `{ours}`"),
-        None => suggest::choices(word, KINDS),
-    };
+    let help = suggest::choices(word, KINDS);
     let message = format!("there is no joint kind `{word}`");
     report
         .mistake(&kind.span(), message, "unknown kind")
@@ -238,13 +220,4 @@ fn two_points(
             .help(help);
     }
     Some(points)
-}
-
-/// A value together with its place, for items of lists.
-impl<T: FromToml> FromToml for Spanned<T> {
-    const EXPECTED: &'static str = T::EXPECTED;
-
-    fn read(value: &Spanned<DeValue>, what: &str, report: &mut Report) -> Option<Self> {
-        Some(Spanned::new(value.span(), T::read(value, what, report)?))
-    }
 }

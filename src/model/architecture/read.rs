@@ -90,6 +90,7 @@ fn names(root: &mut Section, ground: String, report: &mut Report) -> Names {
     let help = "list the moving bodies: `upright = \"Upright with hub and wheel\"`";
     if let Some(section) = root.section("bodies", help, report) {
         for (name, value) in section.entries() {
+            check_name(&name, report);
             let meaning = String::read(value, &format!("`{}`", name.get_ref()), report);
             if *name.get_ref() == names.ground {
                 report
@@ -111,12 +112,23 @@ fn names(root: &mut Section, ground: String, report: &mut Report) -> Names {
     names
 }
 
+/// Names stand in messages and in the headers of tables, so they must be visible words.
+fn check_name(name: &Spanned<String>, report: &mut Report) {
+    let word = name.get_ref();
+    if word.is_empty() || word.contains(|c: char| c.is_whitespace() || c.is_control()) {
+        report
+            .mistake(&name.span(), "a name must be one word", "not one word")
+            .help("join the words with `_`, as in `lca_front`");
+    }
+}
+
 const POINT_HELP: &str = "say what the point is: `meaning = \"…\"`";
 
 /// A point is its meaning, or a table `{ meaning = "…", may_cross = true }`.
 fn points(section: &Section, report: &mut Report) -> Vec<(Spanned<String>, PointRole)> {
     let mut points = vec![];
     for (name, value) in section.entries() {
+        check_name(&name, report);
         let what = format!("`{}`", name.get_ref());
         let (meaning, may_cross) = if value.get_ref().is_table() {
             let Some(mut table) = as_section(value, what, POINT_HELP, report) else {
