@@ -27,8 +27,14 @@ pub(super) struct ModelFile {
 /// The `[points]` section.
 pub(super) struct PointsFile {
     pub(super) span: Range<usize>,
-    /// Names and coordinates; `None` for coordinates with a mistake.
-    pub(super) entries: Vec<(Spanned<String>, Option<Spanned<[f64; 3]>>)>,
+    pub(super) entries: Vec<PointFile>,
+}
+
+/// A point in the units and axes of the file.
+pub(super) struct PointFile {
+    pub(super) name: Spanned<String>,
+    /// `None` for coordinates with a mistake.
+    pub(super) position: Option<Spanned<[f64; 3]>>,
 }
 
 /// The `[wheel]` section.
@@ -102,7 +108,8 @@ fn points(root: &mut Section, report: &mut Report) -> Option<PointsFile> {
     for (name, value) in section.entries() {
         let what = format!("the point `{}`", name.get_ref());
         let position = <[f64; 3]>::read(value, &what, report);
-        entries.push((name, position.map(|p| Spanned::new(value.span(), p))));
+        let position = position.map(|position| Spanned::new(value.span(), position));
+        entries.push(PointFile { name, position });
     }
     Some(PointsFile {
         span: section.span(),

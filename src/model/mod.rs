@@ -58,10 +58,11 @@
 //! kind = "revolute"
 //! between = ["chassis", "lca"]       # body i, body j
 //! at = "lca_front"
-//! axis = ["lca_front", "lca_rear"]   # two points, or "x", "y", "z"
+//! axis = ["lca_front", "lca_rear"]   # two points, or a line along "x", "y" or "z"
 //!
-//! [rack]                             # optional: the joint along which steering moves the rack;
-//! joint = "rack_slide"               # translational, ground first, axis = "y"
+//! [rack]                             # optional: the joint along which steering moves the rack,
+//! joint = "rack_slide"               # + along y of the model's own axes; the joint must be
+//!                                    # translational, with the ground first and axis = "y"
 //!
 //! [wheel]
 //! body = "upright"

@@ -87,14 +87,18 @@ fn place(
         .collect();
     let optional = architecture.optional_points().iter();
     let optional: Vec<&str> = optional.map(|point| point.name.as_str()).collect();
-    let given = |name: &str| file.entries.iter().any(|(key, _)| key.get_ref() == name);
+    let given = |name: &str| {
+        file.entries
+            .iter()
+            .any(|point| point.name.get_ref() == name)
+    };
     let mut missing: Vec<&str> = required
         .iter()
         .copied()
         .filter(|name| !given(name))
         .collect();
-    for (key, _) in &file.entries {
-        let word = key.get_ref().as_str();
+    for point in &file.entries {
+        let word = point.name.get_ref().as_str();
         if required.contains(&word) || optional.contains(&word) {
             continue;
         }
@@ -112,14 +116,17 @@ fn place(
         missing.retain(|name| Some(*name) != meant);
         let message = format!("`{}` has no point `{word}`", architecture.title());
         report
-            .mistake(&key.span(), message, "unknown point")
+            .mistake(&point.name.span(), message, "unknown point")
             .help(help);
     }
     note_missing(architecture, &missing, file, report);
 
     let placed = required.iter().chain(&optional).filter_map(|name| {
-        let (_, position) = file.entries.iter().find(|(key, _)| key.get_ref() == name)?;
-        let position = position.as_ref()?;
+        let point = file
+            .entries
+            .iter()
+            .find(|point| point.name.get_ref() == name)?;
+        let position = point.position.as_ref()?;
         Some(Placed {
             name: (*name).to_owned(),
             span: position.span(),
@@ -207,7 +214,7 @@ fn spin_point(
     let entries = &points?.entries;
     let names: Vec<&str> = entries
         .iter()
-        .map(|(key, _)| key.get_ref().as_str())
+        .map(|point| point.name.get_ref().as_str())
         .collect();
     if !names.contains(&word) {
         let message = format!("there is no point `{word}` in [points]");

@@ -1,6 +1,7 @@
 //! The steer axis and the spin axis of the wheel.
 
 use super::{Geometry, NEAR, minus, norm};
+use crate::mechanism::PointId;
 use crate::model::SpinAxis;
 use crate::model::diagnostics::Report;
 
@@ -37,6 +38,20 @@ impl Geometry<'_> {
         else {
             return;
         };
+        let architecture = &self.model.architecture;
+        let wheel_points = architecture.joint_points(architecture.wheel.body);
+        let point = PointId(index);
+        let elsewhere = index < architecture.points.len() && !wheel_points.contains(&point);
+        if elsewhere && point != center {
+            let message = format!(
+                "the spin axis point `{name}` is not on the body `{}` that carries the wheel",
+                architecture.body_name(architecture.wheel.body)
+            );
+            report
+                .mistake(&self.spin, message, "on another body")
+                .help("name a second point on the spin axis of the wheel");
+            return;
+        }
         let axis = minus(self.model.points[index].position, self.position(center));
         if norm(axis) < NEAR {
             let message = format!("the spin axis point `{name}` is the wheel centre");
