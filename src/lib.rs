@@ -1,4 +1,8 @@
 //! Placeholder.
+pub mod assembly;
+pub mod kernels;
 pub mod mechanism;
 pub mod relation;
 pub mod scalar;
+pub mod solve;
+pub mod vector;
