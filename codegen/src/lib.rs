@@ -1,1 +1,201 @@
-//! Placeholder.
+//! Turns equations written as text into differentiated, specialised Rust kernels.
+//!
+//! A relation file states equations Φ(q; h) = 0 between two bodies. The stages
+//! of its way to Rust are the modules of this crate, in this order:
+//!
+//! | stage | module |
+//! |---|---|
+//! | file → text with positions | [`source`] |
+//! | text → TOML tables | [`definition`] |
+//! | strings → expressions | [`expression`] |
+//! | names, shapes and units checked | [`validate`], [`unit`] |
+//! | expressions → derivatives over named intermediates | [`differentiate`], [`algebra`] |
+//! | derivatives → straight-line programs | [`program`], [`kernel`] |
+//! | programs → Rust tokens → files | [`emit`], [`render`] |
+//!
+//! All of it is pure except [`session`], the one door to the computer algebra
+//! system, and the reading and writing of files.
+
+pub mod algebra;
+pub mod definition;
+pub mod differentiate;
+pub mod emit;
+pub mod expression;
+pub mod kernel;
+pub mod program;
+pub mod render;
+pub mod session;
+pub mod source;
+pub mod unit;
+pub mod validate;
+
+use std::path::Path;
+use std::{fmt, io};
+
+use algebra::Alphabet;
+use differentiate::Flaw;
+use kernel::{Kernel, KernelError};
+use render::File;
+use source::{Mistake, Mistakes, Source};
+use validate::Relation;
+
+/// Kernels for a set of relation files.
+#[derive(Clone, Debug)]
+pub struct Generated {
+    /// The relations in the order of their names.
+    pub kernels: Vec<Kernel>,
+    /// One file for each relation, then [`render::INDEX`].
+    pub files: Vec<File>,
+}
+
+/// Why there are no kernels.
+#[derive(Debug)]
+pub enum Error {
+    /// Relation files with mistakes.
+    Mistakes(Vec<Mistakes>),
+    /// No session with the computer algebra system.
+    Session(session::SessionError),
+    /// A folder or file that cannot be read or written.
+    File(io::Error),
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Mistakes(files) => {
+                for mistakes in files {
+                    write!(formatter, "{mistakes}")?;
+                }
+                let count: usize = files.iter().map(|file| file.mistakes.len()).sum();
+                let (mistakes, files) = (plural(count, "mistake"), plural(files.len(), "file"));
+                write!(formatter, "{mistakes} in {files} of relations")
+            }
+            Self::Session(error) => error.fmt(formatter),
+            Self::File(error) => error.fmt(formatter),
+        }
+    }
+}
+
+fn plural(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
+impl std::error::Error for Error {}
+
+impl From<io::Error> for Error {
+    fn from(error: io::Error) -> Self {
+        Self::File(error)
+    }
+}
+
+impl From<session::SessionError> for Error {
+    fn from(error: session::SessionError) -> Self {
+        Self::Session(error)
+    }
+}
+
+/// Generates the kernels of all relation files of a folder.
+///
+/// # Errors
+/// All mistakes in all files, or what the system says.
+pub fn generate_folder(folder: &Path) -> Result<Generated, Error> {
+    let sources = source::read_folder(folder)
+        .map_err(|error| io::Error::new(error.kind(), format!("{}: {error}", folder.display())))?;
+    generate(sources)
+}
+
+/// Generates the kernels of relation files.
+///
+/// # Errors
+/// All mistakes in all files, or why there is no session.
+pub fn generate(sources: Vec<Source>) -> Result<Generated, Error> {
+    let mut relations = Vec::new();
+    let mut wrong = Vec::new();
+    for source in sources {
+        match check(&source) {
+            Ok(relation) => relations.push((source, relation)),
+            Err(mistakes) => wrong.push(Mistakes { source, mistakes }),
+        }
+    }
+    // Mistakes that only differentiation finds are told together with the others.
+    let (generated, flawed) = session::run(move || derive(relations))?;
+    wrong.extend(flawed);
+    wrong.sort_by(|a, b| a.source.path.cmp(&b.source.path));
+    if wrong.is_empty() {
+        Ok(generated)
+    } else {
+        Err(Error::Mistakes(wrong))
+    }
+}
+
+/// Reads and checks one relation file, as far as that goes without algebra.
+///
+/// # Errors
+/// All its mistakes.
+pub fn check(source: &Source) -> Result<Relation, Vec<Mistake>> {
+    validate::check(source, &definition::read(source)?)
+}
+
+fn derive(relations: Vec<(Source, Relation)>) -> (Generated, Vec<Mistakes>) {
+    let alphabet = Alphabet::new();
+    let mut kernels = Vec::new();
+    let mut wrong = Vec::new();
+    for (source, relation) in relations {
+        match Kernel::new(&relation, &alphabet) {
+            Ok(kernel) => kernels.push(kernel),
+            Err(error) => {
+                wrong.push(Mistakes {
+                    source,
+                    mistakes: mistakes(&relation, &error),
+                });
+            }
+        }
+    }
+    let mut files: Vec<File> = kernels
+        .iter()
+        .map(|kernel| {
+            let name = format!("{}.rs", kernel.relation.name);
+            render::file(&name, emit::module(kernel, &alphabet))
+        })
+        .collect();
+    files.push(render::file(render::INDEX, emit::index(&kernels)));
+    (Generated { kernels, files }, wrong)
+}
+
+fn mistakes(relation: &Relation, error: &KernelError) -> Vec<Mistake> {
+    let work = relation.work.as_ref().unwrap_or(&relation.residual);
+    let flaws = match error {
+        KernelError::Flaws(flaws) => flaws,
+        KernelError::Program(error) => {
+            return vec![Mistake::new(
+                relation.residual.span.clone(),
+                error.to_string(),
+                "simplify the expression, or name parts of it under [definitions]",
+            )];
+        }
+    };
+    let mistake = |flaw: &Flaw| match flaw {
+        Flaw::ConstantEquation(row) => Mistake::new(
+            relation.residual.row(*row).span.clone(),
+            format!(
+                "equation {} does not depend on the position of a body",
+                row + 1
+            ),
+            "no motion can fulfil it; use the coordinates of body i or j",
+        ),
+        Flaw::ConstantWork(row) => Mistake::new(
+            work.row(*row).span.clone(),
+            format!("row {} of work has no virtual motion", row + 1),
+            "write it linear in delta_r_i, delta_theta_i, delta_r_j, delta_theta_j",
+        ),
+        Flaw::NonlinearWork(row) => Mistake::new(
+            work.row(*row).span.clone(),
+            format!(
+                "row {} of work is not linear in the virtual motion",
+                row + 1
+            ),
+            "let delta_* stand once in each product",
+        ),
+    };
+    flaws.iter().map(mistake).collect()
+}

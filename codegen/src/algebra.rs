@@ -1,0 +1,462 @@
+//! Symbols, named intermediates and their total derivatives.
+//!
+//! An expression is never expanded down to the coordinates as a whole: its parts
+//! have names, and derivatives follow the chain rule over the names. Every
+//! derivative is divided by its leading coefficient and looked up among the
+//! names that exist, so that, for example, the twelve entries of ∂(A s)/∂p are
+//! found to be ±2 times the four intermediates that A s itself needs.
+
+use std::collections::HashMap;
+
+use symbolica::prelude::{Atom, AtomCore, AtomView, Symbol};
+use symbolica::symbol;
+
+use crate::validate::{MOST_EQUATIONS, MOST_PARAMETERS};
+
+/// Coordinates of two bodies.
+pub const COORDINATES: usize = 14;
+
+/// A polynomial of so many terms is still compared in its expanded form.
+const SMALL: usize = 32;
+/// Products that may give more terms than this are not expanded for comparison.
+const LARGE: usize = 20_000;
+/// Intermediates that are registered before any relation is read.
+const INTERMEDIATES: usize = 2000;
+
+/// The symbols that relations are mapped onto.
+///
+/// Symbolica orders terms by the registration of their symbols. One fixed
+/// alphabet, registered before anything else, makes the output for a relation
+/// independent of the relations before it.
+#[derive(Clone)]
+pub struct Alphabet {
+    /// Coordinates q of both bodies.
+    pub coordinates: Vec<Symbol>,
+    /// Parameters h.
+    pub parameters: Vec<Symbol>,
+    /// Multipliers λ.
+    pub multipliers: Vec<Symbol>,
+    /// Velocities v of both bodies.
+    pub velocities: Vec<Symbol>,
+    /// Virtual motions δq of both bodies.
+    pub virtual_motions: Vec<Symbol>,
+    intermediates: Vec<Symbol>,
+}
+
+impl Alphabet {
+    /// Registers the alphabet.
+    pub fn new() -> Self {
+        let letters = |letter: &str, count: usize| -> Vec<Symbol> {
+            (0..count)
+                .map(|k| symbol!(format!("hardpoint::{letter}{k}")))
+                .collect()
+        };
+        Self {
+            coordinates: letters("q", COORDINATES),
+            parameters: letters("h", MOST_PARAMETERS),
+            multipliers: letters("l", MOST_EQUATIONS),
+            velocities: letters("v", COORDINATES),
+            virtual_motions: letters("d", COORDINATES),
+            intermediates: letters("t", INTERMEDIATES),
+        }
+    }
+}
+
+/// Smooth functions of one argument that an intermediate may stand for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Function {
+    /// 1/x
+    Reciprocal,
+    /// √x
+    Root,
+    /// sin x
+    Sine,
+    /// cos x
+    Cosine,
+}
+
+/// What an intermediate stands for.
+#[derive(Clone, Debug)]
+pub enum Meaning {
+    /// A polynomial in inputs and earlier intermediates.
+    Polynomial(Atom),
+    /// A function of such a polynomial.
+    Function(Function, Atom),
+}
+
+struct Name {
+    meaning: Meaning,
+    /// The expanded polynomial in inputs and opaque intermediates, where it is
+    /// small; otherwise the intermediate itself, which then is opaque.
+    flat: Atom,
+}
+
+/// What a derivative is taken with respect to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Variable {
+    /// One input.
+    Input(Symbol),
+    /// All coordinates at once, along the velocities v.
+    Motion,
+}
+
+/// The named intermediates of one relation.
+pub struct Algebra {
+    /// The symbols in use.
+    pub alphabet: Alphabet,
+    names: Vec<Name>,
+    /// From an expanded polynomial with leading coefficient 1 to the
+    /// intermediate that is the given multiple of it.
+    by_flat: HashMap<Atom, (Symbol, Atom)>,
+    by_function: HashMap<(Function, Atom), Symbol>,
+    index: HashMap<Symbol, usize>,
+    derivatives: HashMap<(Symbol, Variable), Atom>,
+}
+
+impl Algebra {
+    /// No intermediates yet.
+    pub fn new(alphabet: Alphabet) -> Self {
+        Self {
+            alphabet,
+            names: Vec::new(),
+            by_flat: HashMap::new(),
+            by_function: HashMap::new(),
+            index: HashMap::new(),
+            derivatives: HashMap::new(),
+        }
+    }
+
+    /// The intermediates in the order of their making: symbol and meaning.
+    pub fn intermediates(&self) -> impl Iterator<Item = (Symbol, &Meaning)> {
+        self.names
+            .iter()
+            .enumerate()
+            .map(|(k, name)| (self.symbol(k), &name.meaning))
+    }
+
+    fn symbol(&self, k: usize) -> Symbol {
+        self.alphabet
+            .intermediates
+            .get(k)
+            .copied()
+            .unwrap_or_else(|| symbol!(format!("hardpoint::t{k}")))
+    }
+
+    /// Gives a polynomial a name, unless it is a number times a symbol; returns
+    /// a number times a symbol.
+    pub fn name(&mut self, atom: &Atom) -> Atom {
+        if is_simple(atom.as_view()) {
+            return atom.clone();
+        }
+        let flat = self.flatten(atom);
+        let Some(scale) = leading_coefficient(&flat) else {
+            return flat;
+        };
+        let key = (&flat / &scale).expand();
+        if key.get_symbol().is_some() {
+            return scale * key;
+        }
+        if let Some((symbol, known)) = self.by_flat.get(&key) {
+            return scale / known * Atom::var(*symbol);
+        }
+        // The intermediate keeps the form that it is written in; only a factor
+        // that its terms share is taken out.
+        let factor = common_factor(atom);
+        let symbol = self.symbol(self.names.len());
+        let meaning = Meaning::Polynomial((atom / &factor).expand_num());
+        let small = flat.nterms() <= SMALL;
+        let flat = if small {
+            (&flat / &factor).expand()
+        } else {
+            Atom::var(symbol)
+        };
+        self.by_flat.insert(key, (symbol, scale / &factor));
+        self.push(symbol, meaning, flat);
+        factor * Atom::var(symbol)
+    }
+
+    /// The name of a function of a polynomial.
+    pub fn apply(&mut self, function: Function, argument: &Atom) -> Atom {
+        let argument = self.name(argument);
+        let key = (function, argument.clone());
+        if let Some(symbol) = self.by_function.get(&key) {
+            return Atom::var(*symbol);
+        }
+        let symbol = self.symbol(self.names.len());
+        self.by_function.insert(key, symbol);
+        self.push(
+            symbol,
+            Meaning::Function(function, argument),
+            Atom::var(symbol),
+        );
+        Atom::var(symbol)
+    }
+
+    fn push(&mut self, symbol: Symbol, meaning: Meaning, flat: Atom) {
+        self.index.insert(symbol, self.names.len());
+        self.names.push(Name { meaning, flat });
+    }
+
+    /// `atom` expanded over inputs and opaque intermediates, or, where that
+    /// would be too large, over the intermediates it is written in.
+    fn flatten(&self, atom: &Atom) -> Atom {
+        let mut flat = atom.clone();
+        for symbol in symbols(atom) {
+            if let Some(&k) = self.index.get(&symbol) {
+                flat = substitute(&flat, symbol, &self.names[k].flat);
+            }
+        }
+        if expanded_terms(flat.as_view()) > LARGE {
+            atom.expand()
+        } else {
+            flat.expand()
+        }
+    }
+
+    /// The total derivative of a polynomial in inputs and intermediates.
+    pub fn derivative(&mut self, atom: &Atom, variable: Variable) -> Atom {
+        let mut terms = Vec::new();
+        for symbol in symbols(atom) {
+            let inner = self.derivative_of_symbol(symbol, variable);
+            if !inner.is_zero() {
+                terms.push(atom.derivative(symbol) * inner);
+            }
+        }
+        Atom::add_many(terms)
+    }
+
+    /// The derivative of an input or intermediate: a number times a symbol.
+    fn derivative_of_symbol(&mut self, symbol: Symbol, variable: Variable) -> Atom {
+        let Some(&k) = self.index.get(&symbol) else {
+            return self.of_input(symbol, variable);
+        };
+        if let Some(known) = self.derivatives.get(&(symbol, variable)) {
+            return known.clone();
+        }
+        let derivative = match self.names[k].meaning.clone() {
+            Meaning::Polynomial(polynomial) => match self.known_derivative(k, variable) {
+                Some(known) => known,
+                None => {
+                    let atom = self.derivative(&polynomial, variable);
+                    self.name(&atom)
+                }
+            },
+            Meaning::Function(function, argument) => {
+                let inner = self.derivative(&argument, variable);
+                if inner.is_zero() {
+                    Atom::zero()
+                } else {
+                    let outer = self.function_derivative(function, &argument, symbol);
+                    self.name(&(outer * inner))
+                }
+            }
+        };
+        self.derivatives
+            .insert((symbol, variable), derivative.clone());
+        derivative
+    }
+
+    fn of_input(&self, symbol: Symbol, variable: Variable) -> Atom {
+        match variable {
+            Variable::Input(input) if input == symbol => Atom::one(),
+            Variable::Input(_) => Atom::zero(),
+            Variable::Motion => self
+                .alphabet
+                .coordinates
+                .iter()
+                .position(|&coordinate| coordinate == symbol)
+                .map_or_else(Atom::zero, |k| Atom::var(self.alphabet.velocities[k])),
+        }
+    }
+
+    /// The derivative of a small polynomial, if it is a number times something that has a name.
+    fn known_derivative(&self, k: usize, variable: Variable) -> Option<Atom> {
+        let Variable::Input(input) = variable else {
+            return None;
+        };
+        let flat = &self.names[k].flat;
+        // An opaque intermediate inside depends on the input in its own way.
+        if symbols(flat)
+            .iter()
+            .any(|symbol| self.index.contains_key(symbol))
+        {
+            return None;
+        }
+        let derivative = flat.derivative(input).expand();
+        if is_simple(derivative.as_view()) {
+            return Some(derivative);
+        }
+        let scale = leading_coefficient(&derivative)?;
+        let key = (&derivative / &scale).expand();
+        self.by_flat
+            .get(&key)
+            .map(|(symbol, known)| scale / known * Atom::var(*symbol))
+    }
+
+    /// f′(x) in terms of the intermediate f(x) itself and others.
+    fn function_derivative(&mut self, function: Function, argument: &Atom, value: Symbol) -> Atom {
+        match function {
+            Function::Reciprocal => -(Atom::var(value) * Atom::var(value)),
+            Function::Root => {
+                let reciprocal = self.apply(Function::Reciprocal, &Atom::var(value));
+                reciprocal / Atom::num(2)
+            }
+            Function::Sine => self.apply(Function::Cosine, argument),
+            Function::Cosine => -self.apply(Function::Sine, argument),
+        }
+    }
+
+    /// The contribution of each input and small intermediate to `atom`:
+    /// reverse accumulation through the opaque intermediates, so that what
+    /// multiplies them is contracted before their parts are differentiated.
+    pub fn adjoints(&mut self, atom: &Atom) -> Vec<(Symbol, Atom)> {
+        let mut adjoints: HashMap<Symbol, Atom> = HashMap::new();
+        for symbol in symbols(atom) {
+            adjoints.insert(symbol, atom.derivative(symbol));
+        }
+        for k in (0..self.names.len()).rev() {
+            let symbol = self.symbol(k);
+            let opaque = self.names[k].flat.get_symbol() == Some(symbol);
+            if !opaque {
+                continue;
+            }
+            let Some(adjoint) = adjoints.remove(&symbol) else {
+                continue;
+            };
+            let adjoint = self.name(&adjoint);
+            let parts = match self.names[k].meaning.clone() {
+                Meaning::Polynomial(polynomial) => symbols(&polynomial)
+                    .into_iter()
+                    .map(|part| (part, polynomial.derivative(part)))
+                    .collect::<Vec<_>>(),
+                Meaning::Function(function, argument) => {
+                    let outer = self.function_derivative(function, &argument, symbol);
+                    symbols(&argument)
+                        .into_iter()
+                        .map(|part| (part, argument.derivative(part) * &outer))
+                        .collect()
+                }
+            };
+            for (part, factor) in parts {
+                let sum = adjoints.entry(part).or_insert_with(Atom::zero);
+                *sum = &*sum + factor * &adjoint;
+            }
+        }
+        let mut adjoints: Vec<_> = adjoints.into_iter().collect();
+        adjoints.sort_by_key(|(symbol, _)| symbol.get_id());
+        adjoints
+            .into_iter()
+            .map(|(symbol, adjoint)| (symbol, self.name(&adjoint)))
+            .collect()
+    }
+
+    /// Whether `atom` is zero for all values of the inputs.
+    pub fn vanishes(&self, atom: &Atom) -> bool {
+        atom.is_zero() || self.flatten(atom).is_zero()
+    }
+
+    /// Whether `atom` depends on a virtual motion.
+    pub fn has_virtual_motion(&self, atom: &Atom) -> bool {
+        symbols(atom)
+            .into_iter()
+            .any(|symbol| match self.index.get(&symbol) {
+                None => self.alphabet.virtual_motions.contains(&symbol),
+                Some(&k) => match &self.names[k].meaning {
+                    Meaning::Polynomial(inner) | Meaning::Function(_, inner) => {
+                        self.has_virtual_motion(inner)
+                    }
+                },
+            })
+    }
+
+    /// The derivative of one input or intermediate.
+    pub fn symbol_derivative(&mut self, symbol: Symbol, variable: Variable) -> Atom {
+        self.derivative_of_symbol(symbol, variable)
+    }
+}
+
+/// All symbols of an expression in the order of their registration.
+pub fn symbols(atom: &Atom) -> Vec<Symbol> {
+    let mut symbols: Vec<_> = atom.get_all_symbols(false).into_iter().collect();
+    symbols.sort_by_key(Symbol::get_id);
+    symbols
+}
+
+fn substitute(atom: &Atom, symbol: Symbol, value: &Atom) -> Atom {
+    atom.replace_map(|view, _, out| {
+        if matches!(view, AtomView::Var(variable) if variable.get_symbol() == symbol) {
+            **out = value.clone();
+        }
+    })
+}
+
+/// Whether this is a number, a symbol, or a number times a symbol.
+fn is_simple(view: AtomView<'_>) -> bool {
+    match view {
+        AtomView::Num(_) | AtomView::Var(_) => true,
+        AtomView::Mul(product) => {
+            product.get_nargs() == 2
+                && product
+                    .iter()
+                    .all(|part| matches!(part, AtomView::Num(_) | AtomView::Var(_)))
+                && product.iter().any(|part| matches!(part, AtomView::Num(_)))
+        }
+        _ => false,
+    }
+}
+
+/// The coefficient of the first term; `None` for zero.
+fn leading_coefficient(atom: &Atom) -> Option<Atom> {
+    if atom.is_zero() {
+        None
+    } else {
+        atom.terms().next().map(coefficient)
+    }
+}
+
+fn coefficient(term: AtomView<'_>) -> Atom {
+    match term {
+        AtomView::Num(number) => number.as_view().to_owned(),
+        AtomView::Mul(product) => product
+            .iter()
+            .find(|part| matches!(part, AtomView::Num(_)))
+            .map_or_else(Atom::one, |number| number.to_owned()),
+        _ => Atom::one(),
+    }
+}
+
+/// The size of the first coefficient, with the sign that most terms have.
+fn common_factor(atom: &Atom) -> Atom {
+    let negative = |number: &Atom| number.to_plain_string().starts_with('-');
+    let first = leading_coefficient(atom).unwrap_or_else(Atom::one);
+    let size = if negative(&first) { -first } else { first };
+    let minus = atom
+        .terms()
+        .filter(|term| negative(&coefficient(*term)))
+        .count();
+    if 2 * minus > atom.terms().count() {
+        -size
+    } else {
+        size
+    }
+}
+
+/// A bound of the number of terms after expansion.
+fn expanded_terms(view: AtomView<'_>) -> usize {
+    match view {
+        AtomView::Add(sum) => sum
+            .iter()
+            .map(expanded_terms)
+            .fold(0, usize::saturating_add),
+        AtomView::Mul(product) => product
+            .iter()
+            .map(expanded_terms)
+            .fold(1, usize::saturating_mul),
+        AtomView::Pow(power) => {
+            let (base, exponent) = power.get_base_exp();
+            let times = exponent.to_plain_string().parse().unwrap_or(1);
+            expanded_terms(base).saturating_pow(times)
+        }
+        _ => 1,
+    }
+}

@@ -1,0 +1,478 @@
+//! From checked expressions to the symbolic entries of every kernel output.
+
+use std::collections::HashMap;
+
+use symbolica::prelude::{Atom, Symbol};
+
+use crate::algebra::{Algebra, Alphabet, Function, Variable};
+use crate::expression::{Expression, Kind, Operator};
+use crate::validate::Relation;
+
+/// The structural nonzeros of one output: row, column, value.
+pub type Entries = Vec<(usize, usize, Atom)>;
+
+/// Every kernel output of a relation as expressions over named intermediates.
+pub struct Derived {
+    /// The intermediates that the entries refer to.
+    pub algebra: Algebra,
+    /// Φ.
+    pub residual: Vec<Atom>,
+    /// Φ_q.
+    pub jacobian: Entries,
+    /// W where the relation states `work`, otherwise empty.
+    pub work: Entries,
+    /// (Wᵀλ)_q; without `work` only row ≥ column.
+    pub curvature: Entries,
+    /// Φ_h.
+    pub design: Entries,
+    /// (Wᵀλ)_h.
+    pub force_design: Entries,
+    /// (Φ_q v)_q.
+    pub rate: Entries,
+    /// (Φ_q v)_h.
+    pub rate_design: Entries,
+}
+
+/// What can be wrong with a relation only when it is differentiated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flaw {
+    /// An equation does not depend on any coordinate.
+    ConstantEquation(usize),
+    /// A row of `work` is not linear in the virtual motion.
+    NonlinearWork(usize),
+    /// A row of `work` has no virtual motion in it.
+    ConstantWork(usize),
+}
+
+/// Differentiates a relation.
+///
+/// # Errors
+/// What makes its equations unusable.
+pub fn differentiate(relation: &Relation, alphabet: &Alphabet) -> Result<Derived, Vec<Flaw>> {
+    let mut lowering = Lowering {
+        algebra: Algebra::new(alphabet.clone()),
+        names: HashMap::new(),
+    };
+    lowering.parameters(relation);
+    for (name, expression) in &relation.definitions {
+        let value = lowering.lower(expression);
+        let value = lowering.keep(value);
+        lowering.names.insert(name.clone(), value);
+    }
+    let residual = lowering.lower(&relation.residual).components();
+    let work = relation
+        .work
+        .as_ref()
+        .map(|work| lowering.lower(work).components());
+    derive(relation, lowering.algebra, residual, work.as_deref())
+}
+
+fn derive(
+    relation: &Relation,
+    mut algebra: Algebra,
+    residual: Vec<Atom>,
+    work: Option<&[Atom]>,
+) -> Result<Derived, Vec<Flaw>> {
+    let alphabet = algebra.alphabet.clone();
+    let coordinates = inputs(&alphabet.coordinates[..7 * relation.bodies]);
+    let parameters: usize = relation
+        .parameters
+        .iter()
+        .map(|parameter| parameter.size)
+        .sum();
+    let parameters = inputs(&alphabet.parameters[..parameters]);
+    let rows = residual.len();
+
+    let jacobian = rows_by_columns(&mut algebra, &residual, &coordinates);
+    let work_rows = work.map(|work| {
+        let virtual_motions = inputs(&alphabet.virtual_motions[..7 * relation.bodies]);
+        rows_by_columns(&mut algebra, work, &virtual_motions)
+    });
+    check(&algebra, rows, &jacobian, work_rows.as_ref())?;
+
+    // The generalized force Wᵀλ, before any of it is differentiated.
+    let force: Vec<Atom> = match &work_rows {
+        None => {
+            let energy = contract(&residual, &alphabet.multipliers);
+            let adjoints = algebra.adjoints(&energy);
+            let mut entry = |variable| {
+                let terms: Vec<_> = adjoints
+                    .iter()
+                    .map(|(symbol, adjoint)| adjoint * algebra.symbol_derivative(*symbol, variable))
+                    .collect();
+                Atom::add_many(terms)
+            };
+            coordinates
+                .iter()
+                .map(|&variable| entry(variable))
+                .collect()
+        }
+        Some(entries) => (0..coordinates.len())
+            .map(|column| {
+                let terms = entries.iter().filter(|entry| entry.1 == column);
+                Atom::add_many(
+                    terms.map(|(row, _, value)| value * Atom::var(alphabet.multipliers[*row])),
+                )
+            })
+            .collect(),
+    };
+    let mut curvature = rows_by_columns(&mut algebra, &force, &coordinates);
+    if work.is_none() {
+        curvature.retain(|(row, column, _)| row >= column);
+    }
+    let design = rows_by_columns(&mut algebra, &residual, &parameters);
+    let force_design = rows_by_columns(&mut algebra, &force, &parameters);
+    let velocity: Vec<Atom> = residual
+        .iter()
+        .map(|phi| algebra.derivative(phi, Variable::Motion))
+        .collect();
+    let rate = rows_by_columns(&mut algebra, &velocity, &coordinates);
+    let rate_design = rows_by_columns(&mut algebra, &velocity, &parameters);
+    Ok(Derived {
+        algebra,
+        residual,
+        jacobian,
+        work: work_rows.unwrap_or_default(),
+        curvature,
+        design,
+        force_design,
+        rate,
+        rate_design,
+    })
+}
+
+fn inputs(symbols: &[Symbol]) -> Vec<Variable> {
+    symbols
+        .iter()
+        .map(|&symbol| Variable::Input(symbol))
+        .collect()
+}
+
+fn contract(rows: &[Atom], multipliers: &[Symbol]) -> Atom {
+    Atom::add_many(
+        rows.iter()
+            .zip(multipliers)
+            .map(|(row, &lambda)| row * Atom::var(lambda)),
+    )
+}
+
+fn rows_by_columns(algebra: &mut Algebra, rows: &[Atom], columns: &[Variable]) -> Entries {
+    let mut entries = Vec::new();
+    for (row, expression) in rows.iter().enumerate() {
+        for (column, &variable) in columns.iter().enumerate() {
+            let value = algebra.derivative(expression, variable);
+            if !algebra.vanishes(&value) {
+                entries.push((row, column, value));
+            }
+        }
+    }
+    entries
+}
+
+fn check(
+    algebra: &Algebra,
+    rows: usize,
+    jacobian: &Entries,
+    work: Option<&Entries>,
+) -> Result<(), Vec<Flaw>> {
+    let mut flaws = Vec::new();
+    for row in 0..rows {
+        if jacobian.iter().all(|entry| entry.0 != row) {
+            flaws.push(Flaw::ConstantEquation(row));
+        }
+        if let Some(work) = work {
+            let mut entries = work.iter().filter(|entry| entry.0 == row).peekable();
+            if entries.peek().is_none() {
+                flaws.push(Flaw::ConstantWork(row));
+            } else if entries.any(|entry| algebra.has_virtual_motion(&entry.2)) {
+                flaws.push(Flaw::NonlinearWork(row));
+            }
+        }
+    }
+    if flaws.is_empty() { Ok(()) } else { Err(flaws) }
+}
+
+/// A value of the language in terms of symbols.
+#[derive(Clone)]
+enum Value {
+    Scalar(Atom),
+    Vector(Vec<Atom>),
+    Matrix(Vec<Vec<Atom>>),
+    /// The rotation matrix of a body, possibly transposed; kept apart, because
+    /// its product with a vector has a cheaper form than its nine entries.
+    Rotation {
+        body: usize,
+        transposed: bool,
+    },
+}
+
+impl Value {
+    fn components(self) -> Vec<Atom> {
+        match self {
+            Self::Vector(components) => components,
+            Self::Scalar(scalar) => vec![scalar],
+            Self::Matrix(_) | Self::Rotation { .. } => unreachable!("a residual is no matrix"),
+        }
+    }
+
+    fn scalar(self) -> Atom {
+        match self {
+            Self::Scalar(scalar) => scalar,
+            _ => unreachable!("shapes were checked"),
+        }
+    }
+
+    fn map(self, mut map: impl FnMut(Atom) -> Atom) -> Self {
+        match self {
+            Self::Scalar(scalar) => Self::Scalar(map(scalar)),
+            Self::Vector(vector) => Self::Vector(vector.into_iter().map(map).collect()),
+            Self::Matrix(rows) => Self::Matrix(
+                rows.into_iter()
+                    .map(|row| row.into_iter().map(&mut map).collect())
+                    .collect(),
+            ),
+            Self::Rotation { .. } => unreachable!("rotations are made explicit first"),
+        }
+    }
+}
+
+struct Lowering {
+    algebra: Algebra,
+    names: HashMap<String, Value>,
+}
+
+impl Lowering {
+    fn parameters(&mut self, relation: &Relation) {
+        for parameter in &relation.parameters {
+            let symbols = &self.algebra.alphabet.parameters[parameter.offset..];
+            let value = if parameter.size == 1 {
+                Value::Scalar(Atom::var(symbols[0]))
+            } else {
+                Value::Vector(
+                    symbols[..3]
+                        .iter()
+                        .map(|&symbol| Atom::var(symbol))
+                        .collect(),
+                )
+            };
+            self.names.insert(parameter.name.clone(), value);
+        }
+    }
+
+    /// Gives the parts of a definition names.
+    fn keep(&mut self, value: Value) -> Value {
+        match value {
+            Value::Rotation { .. } => value,
+            value => value.map(|atom| self.algebra.name(&atom)),
+        }
+    }
+
+    fn given(&mut self, name: &str) -> Option<Value> {
+        let (stem, body) = name.rsplit_once('_')?;
+        let body = usize::from(body == "j");
+        let alphabet = &self.algebra.alphabet;
+        let slice = |symbols: &[Symbol], from: usize, to: usize| -> Vec<Atom> {
+            symbols[7 * body + from..7 * body + to]
+                .iter()
+                .map(|&s| Atom::var(s))
+                .collect()
+        };
+        Some(match stem {
+            "r" => Value::Vector(slice(&alphabet.coordinates, 0, 3)),
+            "p" => Value::Vector(slice(&alphabet.coordinates, 3, 7)),
+            "A" => Value::Rotation {
+                body,
+                transposed: false,
+            },
+            "delta_r" => Value::Vector(slice(&alphabet.virtual_motions, 0, 3)),
+            "delta_theta" => {
+                let p = slice(&alphabet.coordinates, 3, 7);
+                let d = slice(&alphabet.virtual_motions, 3, 7);
+                Value::Vector(self.virtual_rotation(&p, &d))
+            }
+            _ => return None,
+        })
+    }
+
+    /// δθ = 2 (e0 δe − δe0 e + e × δe), in ground axes.
+    fn virtual_rotation(&mut self, p: &[Atom], d: &[Atom]) -> Vec<Atom> {
+        let turned = cross(&p[1..], &d[1..]);
+        (0..3)
+            .map(|k| {
+                let half = &p[0] * &d[1 + k] - &d[0] * &p[1 + k] + &turned[k];
+                self.algebra.name(&(half * Atom::num(2)))
+            })
+            .collect()
+    }
+
+    /// A s = e0 c + d e + e × c with c = e0 s + e × s and d = e·s; the inverse rotation has −e.
+    fn rotate(&mut self, body: usize, transposed: bool, s: &[Atom]) -> Vec<Atom> {
+        let p: Vec<Atom> = self.algebra.alphabet.coordinates[7 * body + 3..7 * body + 7]
+            .iter()
+            .map(|&symbol| Atom::var(symbol))
+            .collect();
+        let e: Vec<Atom> = p[1..]
+            .iter()
+            .map(|e| if transposed { -e } else { e.clone() })
+            .collect();
+        let d = self.algebra.name(&dot(&e, s));
+        let turned = cross(&e, s);
+        let c: Vec<Atom> = (0..3)
+            .map(|k| self.algebra.name(&(&p[0] * &s[k] + &turned[k])))
+            .collect();
+        let turned = cross(&e, &c);
+        (0..3)
+            .map(|k| {
+                self.algebra
+                    .name(&(&p[0] * &c[k] + &d * &e[k] + &turned[k]))
+            })
+            .collect()
+    }
+
+    fn times(&mut self, matrix: &Value, vector: &[Atom]) -> Vec<Atom> {
+        match matrix {
+            Value::Rotation { body, transposed } => self.rotate(*body, *transposed, vector),
+            Value::Matrix(rows) => rows.iter().map(|row| dot(row, vector)).collect(),
+            _ => unreachable!("shapes were checked"),
+        }
+    }
+
+    fn explicit(&mut self, value: Value) -> Value {
+        let Value::Rotation { .. } = value else {
+            return value;
+        };
+        let columns: Vec<Vec<Atom>> = (0..3)
+            .map(|axis| {
+                let unit: Vec<Atom> = (0..3).map(|k| Atom::num(i64::from(k == axis))).collect();
+                self.times(&value, &unit)
+            })
+            .collect();
+        Value::Matrix(transpose(&columns))
+    }
+
+    fn lower(&mut self, expression: &Expression) -> Value {
+        match &expression.kind {
+            Kind::Number(numerator, denominator) => {
+                Value::Scalar(Atom::num(*numerator) / Atom::num(*denominator))
+            }
+            Kind::Name(name) => self
+                .given(name)
+                .or_else(|| self.names.get(name).cloned())
+                .unwrap_or_else(|| unreachable!("names were checked")),
+            Kind::Negate(inner) => {
+                let inner = self.lower(inner);
+                self.explicit(inner).map(|atom| -atom)
+            }
+            Kind::Binary(operator, left, right) => {
+                let left = self.lower(left);
+                let right = self.lower(right);
+                self.binary(*operator, left, right)
+            }
+            Kind::Call(name, arguments) => {
+                let arguments = arguments
+                    .iter()
+                    .map(|argument| self.lower(argument))
+                    .collect();
+                self.call(name, arguments)
+            }
+            Kind::Component(inner, component) => {
+                Value::Scalar(self.lower(inner).components()[*component].clone())
+            }
+            Kind::List(parts) => Value::Vector(
+                parts
+                    .iter()
+                    .flat_map(|part| self.lower(part).components())
+                    .collect(),
+            ),
+        }
+    }
+
+    fn binary(&mut self, operator: Operator, left: Value, right: Value) -> Value {
+        match operator {
+            Operator::Add | Operator::Subtract => {
+                let sign = if operator == Operator::Add { 1 } else { -1 };
+                let add = |a: Atom, b: &Atom| a + b * Atom::num(sign);
+                match (self.explicit(left), self.explicit(right)) {
+                    (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(add(a, &b)),
+                    (Value::Vector(a), Value::Vector(b)) => {
+                        Value::Vector(a.into_iter().zip(&b).map(|(a, b)| add(a, b)).collect())
+                    }
+                    (Value::Matrix(a), Value::Matrix(b)) => Value::Matrix(
+                        a.into_iter()
+                            .zip(&b)
+                            .map(|(a, b)| a.into_iter().zip(b).map(|(a, b)| add(a, b)).collect())
+                            .collect(),
+                    ),
+                    _ => unreachable!("shapes were checked"),
+                }
+            }
+            Operator::Multiply => match (left, right) {
+                (Value::Scalar(a), b) => self.explicit(b).map(|b| &a * b),
+                (a, Value::Scalar(b)) => self.explicit(a).map(|a| a * &b),
+                (matrix, Value::Vector(vector)) => Value::Vector(self.times(&matrix, &vector)),
+                (matrix, other) => {
+                    let Value::Matrix(rows) = self.explicit(other) else {
+                        unreachable!("shapes were checked")
+                    };
+                    let columns: Vec<_> = transpose(&rows)
+                        .iter()
+                        .map(|column| self.times(&matrix, column))
+                        .collect();
+                    Value::Matrix(transpose(&columns))
+                }
+            },
+            Operator::Divide => {
+                let reciprocal = self.algebra.apply(Function::Reciprocal, &right.scalar());
+                self.explicit(left).map(|atom| atom * &reciprocal)
+            }
+        }
+    }
+
+    fn call(&mut self, name: &str, arguments: Vec<Value>) -> Value {
+        let mut arguments = arguments.into_iter();
+        let mut next = || {
+            arguments
+                .next()
+                .unwrap_or_else(|| unreachable!("arity was checked"))
+        };
+        match name {
+            "dot" => Value::Scalar(dot(&next().components(), &next().components())),
+            "cross" => Value::Vector(cross(&next().components(), &next().components())),
+            "norm" => {
+                let vector = next().components();
+                Value::Scalar(self.algebra.apply(Function::Root, &dot(&vector, &vector)))
+            }
+            "transpose" => match next() {
+                Value::Rotation { body, transposed } => Value::Rotation {
+                    body,
+                    transposed: !transposed,
+                },
+                Value::Matrix(rows) => Value::Matrix(transpose(&rows)),
+                _ => unreachable!("shapes were checked"),
+            },
+            "sqrt" => Value::Scalar(self.algebra.apply(Function::Root, &next().scalar())),
+            "sin" => Value::Scalar(self.algebra.apply(Function::Sine, &next().scalar())),
+            "cos" => Value::Scalar(self.algebra.apply(Function::Cosine, &next().scalar())),
+            _ => unreachable!("functions were checked"),
+        }
+    }
+}
+
+fn dot(a: &[Atom], b: &[Atom]) -> Atom {
+    Atom::add_many(a.iter().zip(b).map(|(a, b)| a * b))
+}
+
+fn cross(a: &[Atom], b: &[Atom]) -> Vec<Atom> {
+    (0..3)
+        .map(|k| {
+            let (l, m) = ((k + 1) % 3, (k + 2) % 3);
+            &a[l] * &b[m] - &a[m] * &b[l]
+        })
+        .collect()
+}
+
+fn transpose(rows: &[Vec<Atom>]) -> Vec<Vec<Atom>> {
+    (0..3)
+        .map(|column| rows.iter().map(|row| row[column].clone()).collect())
+        .collect()
+}

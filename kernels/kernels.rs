@@ -1,0 +1,102 @@
+// Generated from constraints/ by hardpoint-codegen; changes here are lost.
+// Rewrite with: cargo run -p hardpoint-codegen -- write
+
+include!("displacement.rs");
+include!("distance.rs");
+include!("euler_parameters.rs");
+include!("orthogonal_1.rs");
+include!("orthogonal_2.rs");
+include!("patch_height.rs");
+include!("point_height.rs");
+include!("rotation.rs");
+include!("spherical.rs");
+include!("squared_distance.rs");
+/// The relations, one for each file of `constraints/`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum RelationKind {
+    /// Prescribed coordinate of a point: (A_i a_i)ᵀ (r_j + A_j s_j − r_i − A_i s_i) − c = 0
+    Displacement,
+    /// Distance of two points: |d_ij| − l = 0, d_ij = r_j + A_j s_j − r_i − A_i s_i
+    Distance,
+    /// Normalisation of Euler parameters: pᵀp − 1 = 0
+    EulerParameters,
+    /// Orthogonal, type 1: (A_i u_i)ᵀ (A_j v_j) = 0
+    Orthogonal1,
+    /// Orthogonal, type 2: (A_i a_i)ᵀ (r_j + A_j s_j − r_i − A_i s_i) = 0
+    Orthogonal2,
+    /// Prescribed height of the tyre contact patch: e_zᵀ (r + A s) − R √(1 − (e_zᵀ A u)²) − z = 0
+    PatchHeight,
+    /// Prescribed height of a point: e_zᵀ (r + A s) − z = 0
+    PointHeight,
+    /// Prescribed angle about an axis: sin(θ − α) = 0, with cos θ = (A_i u_i)ᵀ A_j w_j and sin θ = (A_i v_i)ᵀ A_j w_j
+    Rotation,
+    /// Spherical joint: r_j + A_j s_j − r_i − A_i s_i = 0
+    Spherical,
+    /// Constant distance, squared: d_ijᵀ d_ij − l² = 0, d_ij = r_j + A_j s_j − r_i − A_i s_i
+    SquaredDistance,
+}
+impl RelationKind {
+    /// All relations in the order of their names.
+    pub const ALL: &'static [Self] = &[
+        Self::Displacement,
+        Self::Distance,
+        Self::EulerParameters,
+        Self::Orthogonal1,
+        Self::Orthogonal2,
+        Self::PatchHeight,
+        Self::PointHeight,
+        Self::Rotation,
+        Self::Spherical,
+        Self::SquaredDistance,
+    ];
+    /// The name of the file that states the relation, without its ending.
+    pub fn name(self) -> &'static str {
+        self.shape().name
+    }
+    /// The relation that the file of this name states.
+    pub fn from_name(name: &str) -> Option<Self> {
+        match name {
+            "displacement" => Some(Self::Displacement),
+            "distance" => Some(Self::Distance),
+            "euler_parameters" => Some(Self::EulerParameters),
+            "orthogonal_1" => Some(Self::Orthogonal1),
+            "orthogonal_2" => Some(Self::Orthogonal2),
+            "patch_height" => Some(Self::PatchHeight),
+            "point_height" => Some(Self::PointHeight),
+            "rotation" => Some(Self::Rotation),
+            "spherical" => Some(Self::Spherical),
+            "squared_distance" => Some(Self::SquaredDistance),
+            _ => None,
+        }
+    }
+    /// Patterns, parameters and operation counts.
+    pub fn shape(self) -> &'static Shape {
+        match self {
+            Self::Displacement => &displacement::SHAPE,
+            Self::Distance => &distance::SHAPE,
+            Self::EulerParameters => &euler_parameters::SHAPE,
+            Self::Orthogonal1 => &orthogonal_1::SHAPE,
+            Self::Orthogonal2 => &orthogonal_2::SHAPE,
+            Self::PatchHeight => &patch_height::SHAPE,
+            Self::PointHeight => &point_height::SHAPE,
+            Self::Rotation => &rotation::SHAPE,
+            Self::Spherical => &spherical::SHAPE,
+            Self::SquaredDistance => &squared_distance::SHAPE,
+        }
+    }
+    /// The kernels for one type of number.
+    pub fn kernels<S: Scalar>(self) -> &'static dyn Relation<S> {
+        match self {
+            Self::Displacement => &displacement::Displacement,
+            Self::Distance => &distance::Distance,
+            Self::EulerParameters => &euler_parameters::EulerParameters,
+            Self::Orthogonal1 => &orthogonal_1::Orthogonal1,
+            Self::Orthogonal2 => &orthogonal_2::Orthogonal2,
+            Self::PatchHeight => &patch_height::PatchHeight,
+            Self::PointHeight => &point_height::PointHeight,
+            Self::Rotation => &rotation::Rotation,
+            Self::Spherical => &spherical::Spherical,
+            Self::SquaredDistance => &squared_distance::SquaredDistance,
+        }
+    }
+}
