@@ -234,11 +234,13 @@ fn permutation_sign(permutation: &[usize], visited: &mut [bool]) -> f64 {
     let mut sign = 1.0;
     for start in 0..permutation.len() {
         // A cycle of even length is an odd permutation.
-        let mut next = permutation[start];
-        while next != start && !visited[next] {
+        let mut next = start;
+        while !visited[next] {
             visited[next] = true;
             next = permutation[next];
-            sign = -sign;
+            if !visited[next] {
+                sign = -sign;
+            }
         }
     }
     sign
@@ -277,6 +279,24 @@ mod tests {
         values[0] = -1.0;
         solver.factorise(&values).unwrap();
         assert_eq!(solver.determinant_sign(), 1.0);
+    }
+
+    #[test]
+    fn knows_the_sign_of_permutations() {
+        let mut visited = [false; 5];
+        for (permutation, sign) in [
+            ([0, 1, 2, 3, 4], 1.0),
+            ([1, 0, 2, 3, 4], -1.0),
+            ([1, 2, 0, 3, 4], 1.0),
+            ([1, 2, 0, 4, 3], -1.0),
+            ([4, 0, 1, 2, 3], 1.0),
+        ] {
+            assert_eq!(
+                permutation_sign(&permutation, &mut visited),
+                sign,
+                "{permutation:?}"
+            );
+        }
     }
 
     #[test]
