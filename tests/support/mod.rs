@@ -1,0 +1,146 @@
+//! Numbers and states that several test binaries share.
+#![allow(dead_code, reason = "each test binary uses a part of it")]
+
+use hardpoint::relation::Shape;
+use hardpoint::scalar::Scalar;
+use num_dual::{Dual64, DualNum as _, HyperDual64};
+
+/// A number type of `num-dual` as a scalar of ours, which the orphan rule asks for.
+#[derive(Clone, Copy, Debug)]
+pub struct Foreign<T>(pub T);
+
+macro_rules! foreign {
+    ($type:ty) => {
+        impl std::ops::Add for Foreign<$type> {
+            type Output = Self;
+            fn add(self, other: Self) -> Self {
+                Self(self.0 + other.0)
+            }
+        }
+        impl std::ops::Sub for Foreign<$type> {
+            type Output = Self;
+            fn sub(self, other: Self) -> Self {
+                Self(self.0 - other.0)
+            }
+        }
+        impl std::ops::Mul for Foreign<$type> {
+            type Output = Self;
+            fn mul(self, other: Self) -> Self {
+                Self(self.0 * other.0)
+            }
+        }
+        impl std::ops::Div for Foreign<$type> {
+            type Output = Self;
+            fn div(self, other: Self) -> Self {
+                Self(self.0 / other.0)
+            }
+        }
+        impl std::ops::Neg for Foreign<$type> {
+            type Output = Self;
+            fn neg(self) -> Self {
+                Self(-self.0)
+            }
+        }
+        impl Scalar for Foreign<$type> {
+            fn from_f64(value: f64) -> Self {
+                Self(<$type>::from(value))
+            }
+            fn sqrt(self) -> Self {
+                Self(self.0.sqrt())
+            }
+            fn sin(self) -> Self {
+                Self(self.0.sin())
+            }
+            fn cos(self) -> Self {
+                Self(self.0.cos())
+            }
+        }
+    };
+}
+
+foreign!(Dual64);
+foreign!(HyperDual64);
+
+/// First-order dual number.
+pub type First = Foreign<Dual64>;
+/// Second-order dual number with two directions.
+pub type Second = Foreign<HyperDual64>;
+
+/// A random place to evaluate a relation at.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// Coordinates of both bodies, one after the other.
+    pub q: [f64; 14],
+    /// Parameters.
+    pub h: Vec<f64>,
+    /// Multipliers.
+    pub lambda: Vec<f64>,
+    /// Velocities of both bodies.
+    pub v: [f64; 14],
+}
+
+impl State {
+    /// A random state with unit Euler parameters and sizes as in a suspension.
+    pub fn random(shape: &Shape, rng: &mut fastrand::Rng) -> Self {
+        let mut q = std::array::from_fn(|_| symmetric(rng));
+        for body in [0, 7] {
+            unit(&mut q[body + 3..body + 7]);
+        }
+        let mut h: Vec<f64> = (0..shape.parameter_count())
+            .map(|_| symmetric(rng))
+            .collect();
+        for parameter in shape.parameters {
+            let range = parameter.offset..parameter.offset + parameter.size;
+            if parameter.size == 3 && parameter.unit == "1" {
+                unit(&mut h[range]);
+            }
+        }
+        Self {
+            q,
+            h,
+            lambda: (0..shape.equations).map(|_| symmetric(rng)).collect(),
+            v: std::array::from_fn(|_| symmetric(rng)),
+        }
+    }
+}
+
+fn symmetric(rng: &mut fastrand::Rng) -> f64 {
+    2.0 * rng.f64() - 1.0
+}
+
+fn unit(vector: &mut [f64]) {
+    let norm = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+    vector.iter_mut().for_each(|x| *x /= norm);
+}
+
+/// The rotation matrix of Euler parameters, in the textbook form.
+pub fn rotation_matrix(p: &[f64]) -> [[f64; 3]; 3] {
+    let (e0, e1, e2, e3) = (p[0], p[1], p[2], p[3]);
+    [
+        [
+            2.0 * (e0 * e0 + e1 * e1) - 1.0,
+            2.0 * (e1 * e2 - e0 * e3),
+            2.0 * (e1 * e3 + e0 * e2),
+        ],
+        [
+            2.0 * (e1 * e2 + e0 * e3),
+            2.0 * (e0 * e0 + e2 * e2) - 1.0,
+            2.0 * (e2 * e3 - e0 * e1),
+        ],
+        [
+            2.0 * (e1 * e3 - e0 * e2),
+            2.0 * (e2 * e3 + e0 * e1),
+            2.0 * (e0 * e0 + e3 * e3) - 1.0,
+        ],
+    ]
+}
+
+/// Matrix times vector.
+pub fn times(a: &[[f64; 3]; 3], s: &[f64]) -> [f64; 3] {
+    std::array::from_fn(|row| (0..3).map(|k| a[row][k] * s[k]).sum())
+}
+
+/// Scalar product.
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
