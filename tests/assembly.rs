@@ -78,13 +78,8 @@ fn one_of_each() -> Mechanism {
 
 /// Numbers in −1 … 1 that are the same in every run.
 fn random(seed: u64) -> impl FnMut() -> f64 {
-    let mut state = seed;
-    move || {
-        state = state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
+    let mut generator = fastrand::Rng::with_seed(seed);
+    move || 2.0 * generator.f64() - 1.0
 }
 
 /// A state near the design position, its Euler parameters not normalised.
