@@ -274,10 +274,8 @@ impl Mechanism {
             what,
             name: name.to_owned(),
             part,
-            from: from.name.clone(),
-            from_position: from.position,
-            to: to.name.clone(),
-            to_position: to.position,
+            from: Box::new(from.clone()),
+            to: Box::new(to.clone()),
             distance,
         })
     }

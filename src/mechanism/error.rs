@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use super::topology::Point;
+
 /// Why a mechanism cannot be built. Positions are in metres.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
@@ -57,8 +59,9 @@ pub enum MechanismError {
     },
     /// A line between two points has no length.
     #[error(
-        "the {part} of {what} `{name}` runs from `{from}` {from_position:?} to `{to}` {to_position:?}, \
-         which are {distance:e} m apart: move one of the points"
+        "the {part} of {what} `{name}` runs from `{}` {:?} to `{}` {:?}, which are {distance:e} m apart: \
+         move one of the points",
+        .from.name, .from.position, .to.name, .to.position
     )]
     CoincidentPoints {
         /// `joint` or `driver`.
@@ -68,13 +71,9 @@ pub enum MechanismError {
         /// `direction` or `length`.
         part: &'static str,
         /// First point.
-        from: String,
-        /// Position of the first point (m).
-        from_position: [f64; 3],
+        from: Box<Point>,
         /// Second point.
-        to: String,
-        /// Position of the second point (m).
-        to_position: [f64; 3],
+        to: Box<Point>,
         /// Distance (m).
         distance: f64,
     },

@@ -3,9 +3,10 @@
 use std::ops::Range;
 
 use super::build::Mechanism;
+use super::composition::Composition;
 use super::labels;
-use super::recipe::{Normals, Recipe};
-use super::topology::{BodyId, Driver, DriverId, DriverKind, Joint, JointKind};
+use super::recipe::Recipe;
+use super::topology::{BodyId, DriverId};
 use crate::kernels::RelationKind;
 use crate::scalar::Scalar;
 
@@ -83,6 +84,7 @@ impl Expansion {
         for (index, driver) in mechanism.drivers().iter().enumerate() {
             let id = DriverId(index);
             Composition::of_driver(mechanism, id, driver, &mut expansion).driver(driver.kind);
+            // The prescribed value is the last parameter of every relation that drives.
             expansion.driver_slots.push(expansion.parameter_count - 1);
             expansion.labels.push(labels::driver(mechanism, driver));
         }
@@ -141,7 +143,8 @@ impl Expansion {
         h
     }
 
-    fn relation(
+    /// Adds one relation with the recipes of its parameters, in the order of its file.
+    pub(super) fn relation(
         &mut self,
         owner: Owner,
         kind: RelationKind,
@@ -169,182 +172,5 @@ impl Expansion {
             equations: first_equation..first_equation + equations,
             owner,
         });
-    }
-}
-
-/// One joint or driver on its way into relations.
-struct Composition<'a> {
-    mechanism: &'a Mechanism,
-    owner: Owner,
-    i: BodyId,
-    j: BodyId,
-    into: &'a mut Expansion,
-}
-
-impl<'a> Composition<'a> {
-    fn of_joint(
-        mechanism: &'a Mechanism,
-        index: usize,
-        joint: &Joint,
-        into: &'a mut Expansion,
-    ) -> Self {
-        Self {
-            mechanism,
-            owner: Owner::Joint(index),
-            i: joint.i,
-            j: joint.j,
-            into,
-        }
-    }
-
-    fn of_driver(
-        mechanism: &'a Mechanism,
-        id: DriverId,
-        driver: &Driver,
-        into: &'a mut Expansion,
-    ) -> Self {
-        Self {
-            mechanism,
-            owner: Owner::Driver(id),
-            i: driver.i,
-            j: driver.j,
-            into,
-        }
-    }
-
-    fn joint(&mut self, kind: JointKind) {
-        match kind {
-            JointKind::Spherical { at } => self.spherical(at),
-            JointKind::Revolute { at, axis } => {
-                self.spherical(at);
-                self.align(axis);
-            }
-            JointKind::Universal { at, shaft } => {
-                self.spherical(at);
-                let [first, second] = self.normals(shaft);
-                self.orthogonal_1(first, second);
-            }
-            JointKind::Translational { at, axis } => {
-                self.align(axis);
-                let [first, second] = self.normals(axis);
-                self.orthogonal_1(first, second);
-                self.orthogonal_2(first, at);
-                self.orthogonal_2(second, at);
-            }
-            JointKind::Cylindrical { at, axis } => {
-                self.align(axis);
-                self.in_line(at, axis);
-            }
-            JointKind::Fixed { at } => {
-                self.spherical(at);
-                let [x, y, z] =
-                    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Recipe::Constant);
-                self.orthogonal_1(x, y);
-                self.orthogonal_1(y, z);
-                self.orthogonal_1(z, x);
-            }
-            JointKind::Link { on_i, on_j } => {
-                let ends = [self.local(self.i, on_i), self.local(self.j, on_j)];
-                self.relation(
-                    RelationKind::SquaredDistance,
-                    &[ends[0], ends[1], Recipe::Distance(on_i, on_j)],
-                );
-            }
-            JointKind::InPlane { at, normal } => self.orthogonal_2(Recipe::Axis(normal), at),
-            JointKind::InLine { at, axis } => self.in_line(at, axis),
-        }
-    }
-
-    fn driver(&mut self, kind: DriverKind) {
-        match kind {
-            DriverKind::Displacement { at, along } => {
-                let ends = [self.local(self.i, at), self.local(self.j, at)];
-                self.relation(
-                    RelationKind::Displacement,
-                    &[Recipe::Axis(along), ends[0], ends[1], Recipe::Number(0.0)],
-                );
-            }
-            DriverKind::Rotation { axis } => {
-                let [first, second] = self.normals(axis);
-                self.relation(
-                    RelationKind::Rotation,
-                    &[first, second, first, Recipe::Number(0.0)],
-                );
-            }
-            DriverKind::Length { on_i, on_j } => {
-                let ends = [self.local(self.i, on_i), self.local(self.j, on_j)];
-                self.relation(
-                    RelationKind::Distance,
-                    &[ends[0], ends[1], Recipe::Distance(on_i, on_j)],
-                );
-            }
-            DriverKind::Height { at } => {
-                self.i = self.j;
-                let point = self.local(self.j, at);
-                self.relation(RelationKind::PointHeight, &[point, Recipe::Height(at)]);
-            }
-            DriverKind::PatchHeight {
-                center,
-                spin,
-                radius,
-            } => {
-                self.i = self.j;
-                let point = self.local(self.j, center);
-                let height = Recipe::PatchHeight {
-                    center,
-                    spin,
-                    radius,
-                };
-                self.relation(
-                    RelationKind::PatchHeight,
-                    &[point, Recipe::Axis(spin), Recipe::Number(radius), height],
-                );
-            }
-        }
-    }
-
-    /// The axis of body *j* stays parallel to that of body *i*.
-    fn align(&mut self, axis: super::Direction) {
-        let [first, second] = self.normals(axis);
-        self.orthogonal_1(first, Recipe::Axis(axis));
-        self.orthogonal_1(second, Recipe::Axis(axis));
-    }
-
-    /// The point of body *j* stays on the line through it, fixed in body *i*.
-    fn in_line(&mut self, at: super::PointId, axis: super::Direction) {
-        let [first, second] = self.normals(axis);
-        self.orthogonal_2(first, at);
-        self.orthogonal_2(second, at);
-    }
-
-    fn spherical(&mut self, at: super::PointId) {
-        let ends = [self.local(self.i, at), self.local(self.j, at)];
-        self.relation(RelationKind::Spherical, &ends);
-    }
-
-    fn orthogonal_1(&mut self, u_i: Recipe, v_j: Recipe) {
-        self.relation(RelationKind::Orthogonal1, &[u_i, v_j]);
-    }
-
-    fn orthogonal_2(&mut self, a_i: Recipe, at: super::PointId) {
-        let ends = [self.local(self.i, at), self.local(self.j, at)];
-        self.relation(RelationKind::Orthogonal2, &[a_i, ends[0], ends[1]]);
-    }
-
-    fn normals(&self, axis: super::Direction) -> [Recipe; 2] {
-        let normals = Normals::choose(self.mechanism, axis);
-        [Recipe::FirstNormal(normals), Recipe::SecondNormal(normals)]
-    }
-
-    fn local(&self, body: BodyId, point: super::PointId) -> Recipe {
-        Recipe::Local {
-            point,
-            origin: self.mechanism.bodies()[body.0].origin,
-        }
-    }
-
-    fn relation(&mut self, kind: RelationKind, recipes: &[Recipe]) {
-        let Self { owner, i, j, .. } = *self;
-        self.into.relation(owner, kind, i, j, recipes);
     }
 }

@@ -10,6 +10,7 @@
 //! turned into instances of relations.
 
 mod build;
+mod composition;
 mod error;
 mod expansion;
 mod labels;

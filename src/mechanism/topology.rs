@@ -49,7 +49,7 @@ pub struct Body {
 }
 
 /// A named point and its design position (m).
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     /// The name that messages use, such as `lca_outer`.
     pub name: String,
