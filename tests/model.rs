@@ -5,12 +5,8 @@ use hardpoint::model::{Alignment, AngleUnit, Architecture, Axes, LengthUnit, Mod
 use proptest::prelude::*;
 
 const AXES: [Axes; 3] = [Axes::Iso8855, Axes::Adams, Axes::Sae];
-const LENGTHS: [LengthUnit; 4] = [
-    LengthUnit::Millimetre,
-    LengthUnit::Centimetre,
-    LengthUnit::Metre,
-    LengthUnit::Inch,
-];
+const LENGTHS: [LengthUnit; 4] =
+    [LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch];
 const SEDAN: &str = include_str!("../models/double-wishbone.toml");
 
 fn load(name: &str) -> Model {
@@ -80,11 +76,7 @@ fn sedan_is_in_metres_and_iso_axes() {
     assert_eq!(model.point("strut_top"), None);
     assert_eq!(model.wheel_radius, 0.3266);
     // Toe 0.1° and camber −0.5°, as an independent kinematics program states the axis.
-    let spin = [
-        0.001_745_261_909_142_120_4,
-        0.999_960_400_035_453_5,
-        0.008_726_535_498_373_935,
-    ];
+    let spin = [0.001_745_261_909_142_120_4, 0.999_960_400_035_453_5, 0.008_726_535_498_373_935];
     assert_near(model.spin_axis(), spin, 1e-15);
 }
 
@@ -131,24 +123,9 @@ fn a_model_means_the_same_in_all_axes_and_units() {
 fn axes_map_the_named_directions() {
     // Forward, left and up in each system.
     let directions = [
-        (
-            Axes::Iso8855,
-            [1.0, 0.0, 0.0],
-            [0.0, 1.0, 0.0],
-            [0.0, 0.0, 1.0],
-        ),
-        (
-            Axes::Adams,
-            [-1.0, 0.0, 0.0],
-            [0.0, -1.0, 0.0],
-            [0.0, 0.0, 1.0],
-        ),
-        (
-            Axes::Sae,
-            [1.0, 0.0, 0.0],
-            [0.0, -1.0, 0.0],
-            [0.0, 0.0, -1.0],
-        ),
+        (Axes::Iso8855, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]),
+        (Axes::Adams, [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]),
+        (Axes::Sae, [1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]),
     ];
     for (axes, forward, left, up) in directions {
         assert_eq!(axes.to_iso(forward), [1.0, 0.0, 0.0]);
@@ -165,10 +142,7 @@ fn mirroring_changes_the_side_and_nothing_else() {
         let mirrored = model.mirrored();
         assert_eq!(mirrored.side, model.side.other());
         for (a, b) in mirrored.points().iter().zip(model.points()) {
-            assert_eq!(
-                a.position,
-                [b.position[0], 0.0 - b.position[1], b.position[2]]
-            );
+            assert_eq!(a.position, [b.position[0], 0.0 - b.position[1], b.position[2]]);
         }
         let (s, m) = (model.spin_axis(), mirrored.spin_axis());
         assert_eq!(m, [s[0], -s[1], s[2]]);
@@ -211,13 +185,8 @@ fn architectures_of_the_user_are_relative_to_the_model() {
 
 #[test]
 fn files_that_cannot_be_opened_are_named() {
-    let missing = Model::load("models/no-such-model.toml")
-        .unwrap_err()
-        .render();
-    assert!(
-        missing.contains("there is no file `models/no-such-model.toml`"),
-        "{missing}"
-    );
+    let missing = Model::load("models/no-such-model.toml").unwrap_err().render();
+    assert!(missing.contains("there is no file `models/no-such-model.toml`"), "{missing}");
     let folder = Model::load("models").unwrap_err().render();
     assert!(folder.contains("`models` is a folder"), "{folder}");
 }

@@ -36,14 +36,8 @@ fn check(name: &str, error: &ModelDiagnostics) {
     assert!(!error.mistakes().is_empty(), "{name}");
     for mistake in error.mistakes() {
         let message = mistake.message();
-        assert!(
-            mistake.line_and_column().is_some(),
-            "{name}: no place: {message}"
-        );
+        assert!(mistake.line_and_column().is_some(), "{name}: no place: {message}");
         let help = miette::Diagnostic::help(mistake).map(|help| help.to_string());
-        assert!(
-            help.is_some_and(|help| help.len() > 5),
-            "{name}: no help: {message}"
-        );
+        assert!(help.is_some_and(|help| help.len() > 5), "{name}: no help: {message}");
     }
 }

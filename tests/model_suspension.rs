@@ -57,20 +57,12 @@ fn assert_near(actual: &[f64], expected: &[f64], tolerance: f64) {
 
 #[test]
 fn double_wishbone_has_the_bodies_and_joints_of_its_architecture() {
-    let suspension = load("double-wishbone")
-        .suspension(Drive::WheelCenter)
-        .unwrap();
+    let suspension = load("double-wishbone").suspension(Drive::WheelCenter).unwrap();
     let mechanism = &suspension.mechanism;
     let bodies: Vec<&str> = mechanism.bodies().iter().map(|b| b.name.as_str()).collect();
-    assert_eq!(
-        bodies,
-        ["chassis", "lca", "uca", "upright", "tierod", "rack"]
-    );
-    let joints: Vec<(&str, &str)> = mechanism
-        .joints()
-        .iter()
-        .map(|joint| (joint.name.as_str(), joint.kind.name()))
-        .collect();
+    assert_eq!(bodies, ["chassis", "lca", "uca", "upright", "tierod", "rack"]);
+    let joints: Vec<(&str, &str)> =
+        mechanism.joints().iter().map(|joint| (joint.name.as_str(), joint.kind.name())).collect();
     let expected = [
         ("lca_pivot", "revolute"),
         ("uca_pivot", "revolute"),
@@ -81,16 +73,9 @@ fn double_wishbone_has_the_bodies_and_joints_of_its_architecture() {
         ("rack_slide", "translational"),
     ];
     assert_eq!(joints, expected);
-    let drivers: Vec<&str> = mechanism
-        .drivers()
-        .iter()
-        .map(|d| d.name.as_str())
-        .collect();
+    let drivers: Vec<&str> = mechanism.drivers().iter().map(|d| d.name.as_str()).collect();
     assert_eq!(drivers, ["rack", "travel"]);
-    assert_eq!(
-        suspension.wheel.body,
-        mechanism.body_named("upright").unwrap()
-    );
+    assert_eq!(suspension.wheel.body, mechanism.body_named("upright").unwrap());
     assert_eq!(suspension.wheel.radius, 0.3266);
     // The mean of lca_front, lca_rear and lca_outer.
     let origin = mechanism.bodies()[1].origin;
@@ -117,11 +102,8 @@ fn spin_axis_follows_the_points_that_define_it() {
     let outboard = Direction::Between(point("wheel_spindle"), point("wheel_center"));
     assert_eq!(suspension.wheel.spin, outboard);
     let travel = suspension.mechanism.drivers().last().unwrap();
-    let expected = DriverKind::PatchHeight {
-        center: point("wheel_center"),
-        spin: outboard,
-        radius: 0.27,
-    };
+    let expected =
+        DriverKind::PatchHeight { center: point("wheel_center"), spin: outboard, radius: 0.27 };
     assert_eq!(travel.kind, expected);
 }
 
@@ -130,35 +112,19 @@ fn spin_axis_follows_the_points_that_define_it() {
 fn sedan_moves_like_its_reference() {
     let model = load("double-wishbone");
     let end = Moved::new(&model, Drive::WheelCenter, -130.0, 0.0);
-    let center = [
-        -0.001_116_009_303_635_390_3,
-        0.750_509_800_831_145_4,
-        -0.2499,
-    ];
+    let center = [-0.001_116_009_303_635_390_3, 0.750_509_800_831_145_4, -0.2499];
     assert_near(&end.wheel_center(), &center, 1e-9);
-    assert_near(
-        &end.alignment(),
-        &[9.042_901_929_752_299, 0.649_824_350_712_088_3],
-        1e-9,
-    );
+    assert_near(&end.alignment(), &[9.042_901_929_752_299, 0.649_824_350_712_088_3], 1e-9);
 
     let end = Moved::new(&model, Drive::WheelCenter, 130.0, 0.0);
     let center = [-0.003_830_218_709_834_688, 0.779_675_582_444_110_1, 0.0101];
     assert_near(&end.wheel_center(), &center, 1e-9);
-    assert_near(
-        &end.alignment(),
-        &[-1.699_101_619_192_949_8, -4.315_511_652_430_652_5],
-        1e-9,
-    );
+    assert_near(&end.alignment(), &[-1.699_101_619_192_949_8, -4.315_511_652_430_652_5], 1e-9);
 
     let steered = Moved::new(&model, Drive::WheelCenter, 0.0, -60.0);
     let center = [-0.028_871_551_870_242_585, 0.800_007_667_592_513_1, -0.1199];
     assert_near(&steered.wheel_center(), &center, 1e-9);
-    assert_near(
-        &steered.alignment(),
-        &[-25.319_746_275_071_32, 2.747_461_973_606_181],
-        1e-9,
-    );
+    assert_near(&steered.alignment(), &[-25.319_746_275_071_32, 2.747_461_973_606_181], 1e-9);
 }
 
 /// Adams/Car 2024.1, kinematic mode: travel and rack (mm), then for the left and the right side
@@ -325,12 +291,6 @@ fn points_moved_onto_each_other_are_refused_by_name() {
     let mut model = load("double-wishbone");
     let front = model.point("lca_front").unwrap();
     model.set_point("lca_rear", front);
-    let error = model
-        .suspension(Drive::WheelCenter)
-        .unwrap_err()
-        .to_string();
-    assert!(
-        error.contains("lca_pivot") && error.contains("lca_rear"),
-        "{error}"
-    );
+    let error = model.suspension(Drive::WheelCenter).unwrap_err().to_string();
+    assert!(error.contains("lca_pivot") && error.contains("lca_rear"), "{error}");
 }

@@ -1,6 +1,4 @@
-//! Bodies, points, joints and drivers by name.
-
-use thiserror::Error;
+//! The parts of a mechanism: bodies, points, joints and drivers.
 
 /// Number of a body; [`BodyId::GROUND`] never moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -19,6 +17,27 @@ pub struct PointId(pub(crate) usize);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DriverId(pub(crate) usize);
 
+impl BodyId {
+    /// Position in [`Mechanism::bodies`](super::Mechanism::bodies).
+    pub fn index(self) -> usize {
+        self.0
+    }
+}
+
+impl PointId {
+    /// Position in [`Mechanism::points`](super::Mechanism::points).
+    pub fn index(self) -> usize {
+        self.0
+    }
+}
+
+impl DriverId {
+    /// Position in [`Mechanism::drivers`](super::Mechanism::drivers).
+    pub fn index(self) -> usize {
+        self.0
+    }
+}
+
 /// A rigid body. Its frame has identity rotation at the design position.
 #[derive(Clone, Debug)]
 pub struct Body {
@@ -30,7 +49,7 @@ pub struct Body {
 }
 
 /// A named point and its design position (m).
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     /// The name that messages use, such as `lca_outer`.
     pub name: String,
@@ -51,24 +70,110 @@ pub enum Direction {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JointKind {
     /// Both bodies share the point. 3 equations.
-    Spherical { at: PointId },
+    Spherical {
+        /// The shared point.
+        at: PointId,
+    },
     /// Both bodies share the point and the axis. 5 equations.
-    Revolute { at: PointId, axis: Direction },
+    Revolute {
+        /// The shared point.
+        at: PointId,
+        /// The axis of rotation.
+        axis: Direction,
+    },
     /// Both bodies share the point; the cross axis of body *i* stays normal to that of body *j*.
     /// Both cross axes are chosen normal to `shaft`. 4 equations.
-    Universal { at: PointId, shaft: Direction },
+    Universal {
+        /// The shared point.
+        at: PointId,
+        /// The direction that cannot turn about itself.
+        shaft: Direction,
+    },
     /// Body *j* slides along the axis without turning. 5 equations.
-    Translational { at: PointId, axis: Direction },
+    Translational {
+        /// A point on the axis.
+        at: PointId,
+        /// The direction of sliding.
+        axis: Direction,
+    },
     /// Body *j* slides along and turns about the axis. 4 equations.
-    Cylindrical { at: PointId, axis: Direction },
+    Cylindrical {
+        /// A point on the axis.
+        at: PointId,
+        /// The direction of sliding and axis of rotation.
+        axis: Direction,
+    },
     /// No relative motion. 6 equations.
-    Fixed { at: PointId },
+    Fixed {
+        /// Where the bodies are joined.
+        at: PointId,
+    },
     /// The distance between a point of body *i* and a point of body *j* is constant. 1 equation.
-    Link { on_i: PointId, on_j: PointId },
+    Link {
+        /// End on body *i*.
+        on_i: PointId,
+        /// End on body *j*.
+        on_j: PointId,
+    },
     /// The point of body *j* stays in a plane fixed in body *i*. 1 equation.
-    InPlane { at: PointId, normal: Direction },
+    InPlane {
+        /// The point of body *j*.
+        at: PointId,
+        /// Normal of the plane, fixed in body *i*.
+        normal: Direction,
+    },
     /// The point of body *j* stays on a line fixed in body *i*. 2 equations.
-    InLine { at: PointId, axis: Direction },
+    InLine {
+        /// The point of body *j*.
+        at: PointId,
+        /// Direction of the line, fixed in body *i*.
+        axis: Direction,
+    },
+}
+
+impl JointKind {
+    /// The name of the kind in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Spherical { .. } => "spherical",
+            Self::Revolute { .. } => "revolute",
+            Self::Universal { .. } => "universal",
+            Self::Translational { .. } => "translational",
+            Self::Cylindrical { .. } => "cylindrical",
+            Self::Fixed { .. } => "fixed",
+            Self::Link { .. } => "rigid link",
+            Self::InPlane { .. } => "in-plane",
+            Self::InLine { .. } => "in-line",
+        }
+    }
+
+    /// The points that the joint holds together.
+    pub fn points(self) -> [PointId; 2] {
+        match self {
+            Self::Spherical { at }
+            | Self::Revolute { at, .. }
+            | Self::Universal { at, .. }
+            | Self::Translational { at, .. }
+            | Self::Cylindrical { at, .. }
+            | Self::Fixed { at }
+            | Self::InPlane { at, .. }
+            | Self::InLine { at, .. } => [at, at],
+            Self::Link { on_i, on_j } => [on_i, on_j],
+        }
+    }
+
+    /// The direction of the joint, where it has one.
+    pub fn direction(self) -> Option<Direction> {
+        match self {
+            Self::Spherical { .. } | Self::Fixed { .. } | Self::Link { .. } => None,
+            Self::Revolute { axis, .. }
+            | Self::Translational { axis, .. }
+            | Self::Cylindrical { axis, .. }
+            | Self::InLine { axis, .. } => Some(axis),
+            Self::Universal { shaft, .. } => Some(shaft),
+            Self::InPlane { normal, .. } => Some(normal),
+        }
+    }
 }
 
 /// A joint between two bodies.
@@ -89,13 +194,29 @@ pub struct Joint {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DriverKind {
     /// Displacement (m) of a point of body *j* along a direction fixed in body *i*.
-    Displacement { at: PointId, along: Direction },
+    Displacement {
+        /// The point of body *j*.
+        at: PointId,
+        /// Positive direction, fixed in body *i*.
+        along: Direction,
+    },
     /// Rotation (rad) of body *j* relative to body *i* about an axis, right-handed.
-    Rotation { axis: Direction },
+    Rotation {
+        /// Axis of rotation, fixed in body *i*. A joint has to keep it fixed in body *j* too.
+        axis: Direction,
+    },
     /// Change of the distance (m) between a point of body *i* and a point of body *j*.
-    Length { on_i: PointId, on_j: PointId },
+    Length {
+        /// End on body *i*.
+        on_i: PointId,
+        /// End on body *j*.
+        on_j: PointId,
+    },
     /// Change of the height (m) of a point of body *j* above the ground.
-    Height { at: PointId },
+    Height {
+        /// The point of body *j*.
+        at: PointId,
+    },
     /// Change of the height (m) of the lowest point of a disc on body *j*: the contact patch.
     PatchHeight {
         /// Centre of the disc.
@@ -105,6 +226,47 @@ pub enum DriverKind {
         /// Radius (m).
         radius: f64,
     },
+}
+
+impl DriverKind {
+    /// What is prescribed, in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Displacement { .. } => "displacement",
+            Self::Rotation { .. } => "rotation",
+            Self::Length { .. } => "length",
+            Self::Height { .. } => "height",
+            Self::PatchHeight { .. } => "contact-patch height",
+        }
+    }
+
+    /// The points on body *i* and on body *j*, where the kind has points.
+    pub fn points(self) -> Option<[PointId; 2]> {
+        match self {
+            Self::Displacement { at, .. } | Self::Height { at } => Some([at, at]),
+            Self::Length { on_i, on_j } => Some([on_i, on_j]),
+            Self::PatchHeight { center, .. } => Some([center, center]),
+            Self::Rotation { .. } => None,
+        }
+    }
+
+    /// The direction of the driver, where it has one.
+    pub fn direction(self) -> Option<Direction> {
+        match self {
+            Self::Displacement { along, .. } => Some(along),
+            Self::Rotation { axis } => Some(axis),
+            Self::PatchHeight { spin, .. } => Some(spin),
+            Self::Length { .. } | Self::Height { .. } => None,
+        }
+    }
+
+    /// Unit of the driver's value: `m` or `rad`.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Rotation { .. } => "rad",
+            _ => "m",
+        }
+    }
 }
 
 /// A prescribed motion.
@@ -118,76 +280,4 @@ pub struct Driver {
     pub j: BodyId,
     /// What is prescribed.
     pub kind: DriverKind,
-}
-
-/// A system of bodies, joints and drivers.
-#[derive(Clone, Debug)]
-pub struct Mechanism {
-    pub(crate) bodies: Vec<Body>,
-    pub(crate) points: Vec<Point>,
-    pub(crate) joints: Vec<Joint>,
-    pub(crate) drivers: Vec<Driver>,
-}
-
-/// Why a mechanism cannot be built.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum MechanismError {
-    /// Two things have one name.
-    #[error("there are two {what}s named `{name}`; give one of them another name")]
-    DuplicateName { what: &'static str, name: String },
-    // More kinds: coincident points of a direction, zero length of a link, a joint of a body with
-    // itself, a number that is not finite, a fixed direction of zero length, a radius that is not
-    // positive. Each names the joint or driver and the points.
-}
-
-impl Mechanism {
-    /// An empty system with the ground under the given name, such as `chassis`.
-    pub fn new(ground: &str) -> Self {
-        let ground = Body { name: ground.to_owned(), origin: [0.0; 3] };
-        Self { bodies: vec![ground], points: vec![], joints: vec![], drivers: vec![] }
-    }
-
-    /// Adds a body whose frame has its origin at `origin` (m).
-    ///
-    /// # Errors
-    /// [`MechanismError`] for a name that is taken or a number that is not finite.
-    pub fn add_body(&mut self, name: &str, origin: [f64; 3]) -> Result<BodyId, MechanismError> {
-        todo!("{name}{origin:?}")
-    }
-
-    /// Adds a named point at its design position (m).
-    ///
-    /// # Errors
-    /// [`MechanismError`] for a name that is taken or a number that is not finite.
-    pub fn add_point(&mut self, name: &str, position: [f64; 3]) -> Result<PointId, MechanismError> {
-        todo!("{name}{position:?}")
-    }
-
-    /// Adds a joint.
-    ///
-    /// # Errors
-    /// [`MechanismError`] where the joint has no meaning, such as an axis between coincident points.
-    pub fn add_joint(
-        &mut self,
-        name: &str,
-        i: BodyId,
-        j: BodyId,
-        kind: JointKind,
-    ) -> Result<(), MechanismError> {
-        todo!("{name}{i:?}{j:?}{kind:?}")
-    }
-
-    /// Adds a driver.
-    ///
-    /// # Errors
-    /// [`MechanismError`] as for joints.
-    pub fn add_driver(
-        &mut self,
-        name: &str,
-        i: BodyId,
-        j: BodyId,
-        kind: DriverKind,
-    ) -> Result<DriverId, MechanismError> {
-        todo!("{name}{i:?}{j:?}{kind:?}")
-    }
 }

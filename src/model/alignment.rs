@@ -17,18 +17,11 @@ impl Alignment {
     pub fn spin_axis(self, side: Side) -> [f64; 3] {
         let (sin_toe, cos_toe) = self.toe.sin_cos();
         let (sin_camber, cos_camber) = self.camber.sin_cos();
-        [
-            cos_camber * sin_toe,
-            side.sign() * cos_camber * cos_toe,
-            -sin_camber,
-        ]
+        [cos_camber * sin_toe, side.sign() * cos_camber * cos_toe, -sin_camber]
     }
 
     /// The alignment of a unit spin axis pointing outboard, in ISO 8855 axes.
     pub fn of_spin_axis(spin: [f64; 3]) -> Self {
-        Self {
-            toe: spin[0].atan2(spin[1].abs()),
-            camber: -spin[2].clamp(-1.0, 1.0).asin(),
-        }
+        Self { toe: spin[0].atan2(spin[1].abs()), camber: -spin[2].clamp(-1.0, 1.0).asin() }
     }
 }

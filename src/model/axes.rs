@@ -13,11 +13,8 @@ pub enum Axes {
 
 impl Axes {
     /// The names of model files.
-    pub(crate) const CHOICES: &[(&str, Self)] = &[
-        ("iso8855", Self::Iso8855),
-        ("adams", Self::Adams),
-        ("sae", Self::Sae),
-    ];
+    pub(crate) const CHOICES: &[(&str, Self)] =
+        &[("iso8855", Self::Iso8855), ("adams", Self::Adams), ("sae", Self::Sae)];
 
     /// The name, as in model files.
     pub const fn name(self) -> &'static str {

@@ -17,10 +17,7 @@ pub(crate) struct SourceFile {
 
 impl SourceFile {
     pub(crate) fn new(name: &str, text: &str) -> Self {
-        Self {
-            name: name.to_owned(),
-            text: text.into(),
-        }
+        Self { name: name.to_owned(), text: text.into() }
     }
 }
 
@@ -37,12 +34,7 @@ pub struct Mistake {
 impl Mistake {
     /// A mistake that belongs to no place in a text, such as a file that is not there.
     pub(crate) fn without_place(message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self {
-            message: message.into(),
-            help: Some(help.into()),
-            labels: vec![],
-            file: None,
-        }
+        Self { message: message.into(), help: Some(help.into()), labels: vec![], file: None }
     }
 
     /// Adds what to do.
@@ -54,8 +46,7 @@ impl Mistake {
     /// Underlines one more place.
     pub(crate) fn also(&mut self, span: &Range<usize>, label: impl Into<String>) -> &mut Self {
         let label = Some(label.into());
-        self.labels
-            .push(LabeledSpan::new_with_span(label, span.clone()));
+        self.labels.push(LabeledSpan::new_with_span(label, span.clone()));
         self
     }
 
@@ -84,9 +75,7 @@ impl Mistake {
 
 impl Diagnostic for Mistake {
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        self.help
-            .as_ref()
-            .map(|help| Box::new(help) as Box<dyn fmt::Display>)
+        self.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
@@ -121,10 +110,7 @@ impl ModelDiagnostics {
     /// Collects mistakes found while reading the file of this name, in the order of the text.
     pub(crate) fn new(file: &str, mut mistakes: Vec<Mistake>) -> Self {
         mistakes.sort_by_cached_key(Mistake::sort_key);
-        Self {
-            file: file.to_owned(),
-            mistakes,
-        }
+        Self { file: file.to_owned(), mistakes }
     }
 
     /// The mistakes, at least one, in the order of the text.
@@ -161,10 +147,7 @@ pub(crate) struct Report {
 
 impl Report {
     pub(crate) fn new(file: SourceFile) -> Self {
-        Self {
-            file,
-            mistakes: vec![],
-        }
+        Self { file, mistakes: vec![] }
     }
 
     pub(crate) fn file(&self) -> &SourceFile {
@@ -186,10 +169,7 @@ impl Report {
             message: message.into(),
             help: None,
             labels: vec![LabeledSpan::new_primary_with_span(label, place)],
-            file: Some(NamedSource::new(
-                &self.file.name,
-                Arc::clone(&self.file.text),
-            )),
+            file: Some(NamedSource::new(&self.file.name, Arc::clone(&self.file.text))),
         });
         let last = self.mistakes.len() - 1;
         &mut self.mistakes[last]

@@ -46,10 +46,7 @@ pub(super) struct WheelFile {
 
 /// How the spin axis is given.
 pub(super) enum SpinFile {
-    Alignment {
-        toe: Spanned<f64>,
-        camber: Spanned<f64>,
-    },
+    Alignment { toe: Spanned<f64>, camber: Spanned<f64> },
     Point(Spanned<String>),
 }
 
@@ -111,10 +108,7 @@ fn points(root: &mut Section, report: &mut Report) -> Option<PointsFile> {
         let position = position.map(|position| Spanned::new(value.span(), position));
         entries.push(PointFile { name, position });
     }
-    Some(PointsFile {
-        span: section.span(),
-        entries,
-    })
+    Some(PointsFile { span: section.span(), entries })
 }
 
 fn wheel(root: &mut Section, report: &mut Report) -> WheelFile {
@@ -139,10 +133,7 @@ fn spin(section: &mut Section, report: &mut Report) -> Option<SpinFile> {
     if by_angles == by_point {
         let (message, label) = match by_point {
             true => ("the spin axis is given twice", "by angles and by a point"),
-            false => (
-                "[wheel] lacks the direction of the spin axis",
-                "in this section",
-            ),
+            false => ("[wheel] lacks the direction of the spin axis", "in this section"),
         };
         let span = match section.value("spin_axis_point") {
             Some(point) => point.span(),
@@ -156,23 +147,14 @@ fn spin(section: &mut Section, report: &mut Report) -> Option<SpinFile> {
     if by_point {
         section.value("toe");
         section.value("camber");
-        return section
-            .optional("spin_axis_point", report)
-            .map(SpinFile::Point);
+        return section.optional("spin_axis_point", report).map(SpinFile::Point);
     }
     section.value("spin_axis_point");
-    let toe = section.required(
-        "toe",
-        "write the static toe, positive toe-in: `toe = 0.0`",
-        report,
-    );
+    let toe = section.required("toe", "write the static toe, positive toe-in: `toe = 0.0`", report);
     let camber = section.required(
         "camber",
         "write the static camber, positive with the top outboard: `camber = 0.0`",
         report,
     );
-    Some(SpinFile::Alignment {
-        toe: toe?,
-        camber: camber?,
-    })
+    Some(SpinFile::Alignment { toe: toe?, camber: camber? })
 }

@@ -49,9 +49,7 @@ pub(super) fn architecture(named: &Spanned<String>, report: &mut Report) -> Opti
             Ok(text) => Architecture::parse(&path.display().to_string(), &text),
             Err((message, help)) => {
                 let help = format!("{help}; the path is relative to the model file");
-                report
-                    .mistake(&named.span(), message, "the architecture")
-                    .help(help);
+                report.mistake(&named.span(), message, "the architecture").help(help);
                 return None;
             }
         }
@@ -63,9 +61,7 @@ pub(super) fn architecture(named: &Spanned<String>, report: &mut Report) -> Opti
             suggest::choices(word, &Architecture::built_in_names())
         );
         let message = format!("there is no built-in architecture `{word}`");
-        report
-            .mistake(&named.span(), message, "unknown architecture")
-            .help(help);
+        report.mistake(&named.span(), message, "unknown architecture").help(help);
         return None;
     };
     match result {
@@ -85,10 +81,9 @@ fn read_text(path: &Path) -> Result<String, (String, String)> {
         return Err((message, "name a file in it that ends in .toml".to_owned()));
     }
     let bytes = std::fs::read(path).map_err(|error| match error.kind() {
-        io::ErrorKind::NotFound => (
-            format!("there is no file `{name}`"),
-            "check the path".to_owned(),
-        ),
+        io::ErrorKind::NotFound => {
+            (format!("there is no file `{name}`"), "check the path".to_owned())
+        }
         _ => (
             format!("`{name}` cannot be read: {error}"),
             "check that you may read the file".to_owned(),

@@ -194,11 +194,7 @@ impl Model {
                 let other = self.point(name).unwrap_or(center);
                 let axis: [f64; 3] = std::array::from_fn(|i| other[i] - center[i]);
                 let length = axis.iter().map(|a| a * a).sum::<f64>().sqrt();
-                let outboard = if axis[1] * self.side.sign() < 0.0 {
-                    -1.0
-                } else {
-                    1.0
-                };
+                let outboard = if axis[1] * self.side.sign() < 0.0 { -1.0 } else { 1.0 };
                 axis.map(|a| outboard * a / length)
             }
         }

@@ -21,10 +21,7 @@ struct Placed {
 }
 
 pub(super) fn resolve(file: ModelFile, report: &mut Report) -> Option<Model> {
-    let architecture = file
-        .architecture
-        .as_ref()
-        .and_then(|name| load::architecture(name, report));
+    let architecture = file.architecture.as_ref().and_then(|name| load::architecture(name, report));
     let points = match (&architecture, &file.points) {
         (Some(architecture), Some(points)) => place(architecture, points, report),
         _ => None,
@@ -36,10 +33,8 @@ pub(super) fn resolve(file: ModelFile, report: &mut Report) -> Option<Model> {
         (Some(SpinFile::Point(name)), _) => spin_point(name, file.points.as_ref(), report),
         _ => None,
     };
-    let units = Units {
-        length: *file.length.as_ref()?.get_ref(),
-        angle: *file.angle.as_ref()?.get_ref(),
-    };
+    let units =
+        Units { length: *file.length.as_ref()?.get_ref(), angle: *file.angle.as_ref()?.get_ref() };
     let radius = file.wheel.radius.as_ref()?;
     let (axes, side) = (*file.axes.as_ref()?.get_ref(), file.side.as_ref()?);
     let (architecture, points, spin) = (architecture?, points?, spin?);
@@ -80,23 +75,11 @@ fn place(
     file: &PointsFile,
     report: &mut Report,
 ) -> Option<Vec<Placed>> {
-    let required: Vec<&str> = architecture
-        .points()
-        .iter()
-        .map(|p| p.name.as_str())
-        .collect();
+    let required: Vec<&str> = architecture.points().iter().map(|p| p.name.as_str()).collect();
     let optional = architecture.optional_points().iter();
     let optional: Vec<&str> = optional.map(|point| point.name.as_str()).collect();
-    let given = |name: &str| {
-        file.entries
-            .iter()
-            .any(|point| point.name.get_ref() == name)
-    };
-    let mut missing: Vec<&str> = required
-        .iter()
-        .copied()
-        .filter(|name| !given(name))
-        .collect();
+    let given = |name: &str| file.entries.iter().any(|point| point.name.get_ref() == name);
+    let mut missing: Vec<&str> = required.iter().copied().filter(|name| !given(name)).collect();
     for point in &file.entries {
         let word = point.name.get_ref().as_str();
         if required.contains(&word) || optional.contains(&word) {
@@ -115,17 +98,12 @@ fn place(
         // A point under a misspelt name is one mistake, not two.
         missing.retain(|name| Some(*name) != meant);
         let message = format!("`{}` has no point `{word}`", architecture.title());
-        report
-            .mistake(&point.name.span(), message, "unknown point")
-            .help(help);
+        report.mistake(&point.name.span(), message, "unknown point").help(help);
     }
     note_missing(architecture, &missing, file, report);
 
     let placed = required.iter().chain(&optional).filter_map(|name| {
-        let point = file
-            .entries
-            .iter()
-            .find(|point| point.name.get_ref() == name)?;
+        let point = file.entries.iter().find(|point| point.name.get_ref() == name)?;
         let position = point.position.as_ref()?;
         Some(Placed {
             name: (*name).to_owned(),
@@ -134,9 +112,7 @@ fn place(
         })
     });
     let placed: Vec<Placed> = placed.collect();
-    let complete = required
-        .iter()
-        .all(|name| placed.iter().any(|p| p.name == *name));
+    let complete = required.iter().all(|name| placed.iter().any(|p| p.name == *name));
     complete.then_some(placed)
 }
 
@@ -193,9 +169,7 @@ fn alignment(
             AngleUnit::Degree => "a static angle of a wheel is a few degrees at most",
         };
         let message = format!("the static {name} is 45° or more");
-        report
-            .mistake(&angle.span(), message, "too large")
-            .help(help);
+        report.mistake(&angle.span(), message, "too large").help(help);
     }
     plausible.then(|| {
         SpinAxis::Alignment(Alignment {
@@ -212,19 +186,14 @@ fn spin_point(
 ) -> Option<SpinAxis> {
     let word = name.get_ref().as_str();
     let entries = &points?.entries;
-    let names: Vec<&str> = entries
-        .iter()
-        .map(|point| point.name.get_ref().as_str())
-        .collect();
+    let names: Vec<&str> = entries.iter().map(|point| point.name.get_ref().as_str()).collect();
     if !names.contains(&word) {
         let message = format!("there is no point `{word}` in [points]");
         let help = match suggest::closest(word, names.iter().copied()) {
             Some(meant) => format!("did you mean `{meant}`?"),
             None => format!("add it to [points]: `{word} = [x, y, z]`"),
         };
-        report
-            .mistake(&name.span(), message, "unknown point")
-            .help(help);
+        report.mistake(&name.span(), message, "unknown point").help(help);
         return None;
     }
     Some(SpinAxis::Point(word.to_owned()))
@@ -235,10 +204,6 @@ impl Side {
     pub(super) fn y_rule(self, axes: Axes) -> String {
         let positive = self.sign() * axes.signs()[1] > 0.0;
         let sign = if positive { "positive" } else { "negative" };
-        format!(
-            "in `{}` axes y is {sign} on the {}",
-            axes.name(),
-            self.name()
-        )
+        format!("in `{}` axes y is {sign} on the {}", axes.name(), self.name())
     }
 }

@@ -125,9 +125,7 @@ impl Model {
         };
         let along = Direction::Fixed(self.axes.to_iso([0.0, 1.0, 0.0]));
         let kind = DriverKind::Displacement { at, along };
-        mechanism
-            .add_driver("rack", joint.i, joint.j, kind)
-            .map(Some)
+        mechanism.add_driver("rack", joint.i, joint.j, kind).map(Some)
     }
 
     /// The spin axis as the mechanism knows it: it follows the points that define it.

@@ -40,16 +40,10 @@ fn bodies_hang_on_the_ground(
         if reached[id.0] {
             continue;
         }
-        let joined = architecture
-            .joints
-            .iter()
-            .any(|joint| joint.i == id || joint.j == id);
+        let joined = architecture.joints.iter().any(|joint| joint.i == id || joint.j == id);
         let ground = &architecture.ground;
         let message = if joined {
-            format!(
-                "no chain of joints connects the body `{}` to `{ground}`",
-                body.name
-            )
+            format!("no chain of joints connects the body `{}` to `{ground}`", body.name)
         } else {
             format!("no joint holds the body `{}`", body.name)
         };
@@ -73,30 +67,12 @@ fn points_are_used(architecture: &Architecture, spans: &[Range<usize>], report: 
                 mark(at);
                 None
             }
-            JointKind::Revolute {
-                at,
-                axis: direction,
-            }
-            | JointKind::Translational {
-                at,
-                axis: direction,
-            }
-            | JointKind::Cylindrical {
-                at,
-                axis: direction,
-            }
-            | JointKind::InLine {
-                at,
-                axis: direction,
-            }
-            | JointKind::InPlane {
-                at,
-                normal: direction,
-            }
-            | JointKind::Universal {
-                at,
-                shaft: direction,
-            } => {
+            JointKind::Revolute { at, axis: direction }
+            | JointKind::Translational { at, axis: direction }
+            | JointKind::Cylindrical { at, axis: direction }
+            | JointKind::InLine { at, axis: direction }
+            | JointKind::InPlane { at, normal: direction }
+            | JointKind::Universal { at, shaft: direction } => {
                 mark(at);
                 Some(direction)
             }

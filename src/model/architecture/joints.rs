@@ -13,11 +13,8 @@ pub(super) const Y: Direction = Direction::Fixed([0.0, 1.0, 0.0]);
 
 /// The directions that have a name. Joints know lines, which have no sign, and
 /// the axis systems differ in signs only, so `"y"` is the same line in all of them.
-const AXES: &[(&str, Direction)] = &[
-    ("x", Direction::Fixed([1.0, 0.0, 0.0])),
-    ("y", Y),
-    ("z", Direction::Fixed([0.0, 0.0, 1.0])),
-];
+const AXES: &[(&str, Direction)] =
+    &[("x", Direction::Fixed([1.0, 0.0, 0.0])), ("y", Y), ("z", Direction::Fixed([0.0, 0.0, 1.0]))];
 
 const KINDS: &[&str] = &[
     "spherical",
@@ -47,11 +44,7 @@ pub(super) fn read(
     };
     let Some(list) = value.get_ref().as_array() else {
         report
-            .mistake(
-                &value.span(),
-                "`joints` must be a list of sections",
-                "a single section",
-            )
+            .mistake(&value.span(), "`joints` must be a list of sections", "a single section")
             .help("write `[[joints]]` in double brackets, one for each joint");
         return joints;
     };
@@ -94,12 +87,7 @@ fn joint(mut section: Section, name: &str, names: &Names, report: &mut Report) -
     };
     section.finish(report);
     let ((i, j), kind) = (bodies?, kind?);
-    Some(Joint {
-        name: name.to_owned(),
-        i,
-        j,
-        kind,
-    })
+    Some(Joint { name: name.to_owned(), i, j, kind })
 }
 
 fn bodies(
@@ -108,10 +96,7 @@ fn bodies(
     names: &Names,
     report: &mut Report,
 ) -> Option<(BodyId, BodyId)> {
-    let [i, j] = between
-        .get_ref()
-        .each_ref()
-        .map(|name| names.body(name, report));
+    let [i, j] = between.get_ref().each_ref().map(|name| names.body(name, report));
     let (i, j) = (i?, j?);
     if i == j {
         let message = format!("the joint `{joint}` joins a body to itself");
@@ -129,9 +114,7 @@ fn is_kind(kind: &Spanned<String>, report: &mut Report) -> bool {
     }
     let help = suggest::choices(word, KINDS);
     let message = format!("there is no joint kind `{word}`");
-    report
-        .mistake(&kind.span(), message, "unknown kind")
-        .help(help);
+    report.mistake(&kind.span(), message, "unknown kind").help(help);
     false
 }
 
@@ -154,17 +137,11 @@ fn joint_kind(
         "fixed" => Some(JointKind::Fixed { at: at? }),
         "universal" => {
             let shaft = direction(section, "shaft", names, report);
-            Some(JointKind::Universal {
-                at: at?,
-                shaft: shaft?,
-            })
+            Some(JointKind::Universal { at: at?, shaft: shaft? })
         }
         "in-plane" => {
             let normal = direction(section, "normal", names, report);
-            Some(JointKind::InPlane {
-                at: at?,
-                normal: normal?,
-            })
+            Some(JointKind::InPlane { at: at?, normal: normal? })
         }
         _ => {
             let axis = direction(section, "axis", names, report);
@@ -189,9 +166,7 @@ fn direction(
     let help = format!(
         "write two points, `{key} = [\"lca_front\", \"lca_rear\"]`, or an axis, `{key} = \"y\"`"
     );
-    let is_name = section
-        .value(key)
-        .is_some_and(|value| value.get_ref().is_str());
+    let is_name = section.value(key).is_some_and(|value| value.get_ref().is_str());
     if is_name {
         let axis = section.choice(key, "axis", AXES, ", or two points", report)?;
         return Some(axis.into_inner());
@@ -208,16 +183,11 @@ fn two_points(
     report: &mut Report,
 ) -> Option<[PointId; 2]> {
     let pair = section.required::<[Spanned<String>; 2]>(key, help, report)?;
-    let [from, to] = pair
-        .get_ref()
-        .each_ref()
-        .map(|name| names.point(name, report));
+    let [from, to] = pair.get_ref().each_ref().map(|name| names.point(name, report));
     let points = [from?, to?];
     if points[0] == points[1] {
         let message = format!("`{key}` has one point twice");
-        report
-            .mistake(&pair.span(), message, "the same point")
-            .help(help);
+        report.mistake(&pair.span(), message, "the same point").help(help);
     }
     Some(points)
 }

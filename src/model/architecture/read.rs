@@ -94,18 +94,13 @@ fn names(root: &mut Section, ground: String, report: &mut Report) -> Names {
             let meaning = String::read(value, &format!("`{}`", name.get_ref()), report);
             if *name.get_ref() == names.ground {
                 report
-                    .mistake(
-                        &name.span(),
-                        "the ground is listed as a moving body",
-                        "the ground",
-                    )
+                    .mistake(&name.span(), "the ground is listed as a moving body", "the ground")
                     .help("remove this line");
             }
             names.body_spans.push(name.span());
-            names.bodies.push(BodyRole {
-                name: name.into_inner(),
-                meaning: meaning.unwrap_or_default(),
-            });
+            names
+                .bodies
+                .push(BodyRole { name: name.into_inner(), meaning: meaning.unwrap_or_default() });
         }
         section.not_empty(help, report);
     }
@@ -137,10 +132,7 @@ fn points(section: &Section, report: &mut Report) -> Vec<(Spanned<String>, Point
             let meaning = table.required::<String>("meaning", POINT_HELP, report);
             let may_cross = table.optional::<bool>("may_cross", report);
             table.finish(report);
-            (
-                meaning.map(Spanned::into_inner),
-                may_cross.is_some_and(Spanned::into_inner),
-            )
+            (meaning.map(Spanned::into_inner), may_cross.is_some_and(Spanned::into_inner))
         } else {
             (String::read(value, &what, report), false)
         };
@@ -165,17 +157,10 @@ fn wheel(root: &mut Section, names: &Names, report: &mut Report) -> Option<Wheel
     let (body, name) = body?;
     if body == BodyId::GROUND {
         report
-            .mistake(
-                &name.span(),
-                "the wheel is on the ground body",
-                "never moves",
-            )
+            .mistake(&name.span(), "the wheel is on the ground body", "never moves")
             .help("name the body that carries the wheel, such as the upright");
     }
-    Some(WheelRole {
-        body,
-        center: center?,
-    })
+    Some(WheelRole { body, center: center? })
 }
 
 fn steer_axis(
@@ -228,10 +213,7 @@ fn rack(
     if joints.is_empty() {
         return None; // That the joints are missing has been noted.
     }
-    let Some(index) = joints
-        .iter()
-        .position(|(joint, _)| joint.get_ref() == name.get_ref())
-    else {
+    let Some(index) = joints.iter().position(|(joint, _)| joint.get_ref() == name.get_ref()) else {
         let known: Vec<&str> = joints.iter().map(|(j, _)| j.get_ref().as_str()).collect();
         let message = format!("there is no joint `{}`", name.get_ref());
         report
@@ -266,11 +248,7 @@ impl Names {
             let mut known = vec![self.ground.as_str()];
             known.extend(self.bodies.iter().map(|body| body.name.as_str()));
             report
-                .mistake(
-                    &name.span(),
-                    format!("there is no body `{word}`"),
-                    "unknown body",
-                )
+                .mistake(&name.span(), format!("there is no body `{word}`"), "unknown body")
                 .help(suggest::choices(word, &known));
         }
         found.map(|index| BodyId(index + 1))
@@ -292,14 +270,9 @@ impl Names {
                     "move it to [points], or name a required point".to_owned(),
                 )
             } else {
-                (
-                    format!("there is no point `{word}`"),
-                    suggest::choices(word, &known),
-                )
+                (format!("there is no point `{word}`"), suggest::choices(word, &known))
             };
-            report
-                .mistake(&name.span(), message, "unknown point")
-                .help(help);
+            report.mistake(&name.span(), message, "unknown point").help(help);
         }
         found.map(PointId)
     }

@@ -30,12 +30,7 @@ impl Geometry<'_> {
             return;
         };
         let center = self.model.architecture.wheel.center;
-        let Some(index) = self
-            .model
-            .points
-            .iter()
-            .position(|point| point.name == *name)
-        else {
+        let Some(index) = self.model.points.iter().position(|point| point.name == *name) else {
             return;
         };
         let architecture = &self.model.architecture;

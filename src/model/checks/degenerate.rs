@@ -76,10 +76,7 @@ impl Geometry<'_> {
         let (mut hinges, mut balls) = (vec![], 0);
         for joint in joints.filter(|joint| joint.i == body || joint.j == body) {
             match joint.kind {
-                JointKind::Revolute {
-                    axis: Direction::Between(a, b),
-                    ..
-                } => hinges.push((a, b)),
+                JointKind::Revolute { axis: Direction::Between(a, b), .. } => hinges.push((a, b)),
                 JointKind::Spherical { .. } | JointKind::Link { .. } => balls += 1,
                 _ => return None,
             }
@@ -94,10 +91,7 @@ impl Geometry<'_> {
     fn farthest_pair(&self, points: &[PointId]) -> (PointId, PointId) {
         let distance =
             |point: &PointId| norm(minus(self.position(*point), self.position(points[0])));
-        let far = points
-            .iter()
-            .copied()
-            .max_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let far = points.iter().copied().max_by(|a, b| distance(a).total_cmp(&distance(b)));
         (points[0], far.unwrap_or(points[0]))
     }
 

@@ -19,11 +19,7 @@ impl Geometry<'_> {
         let radius = self.model.wheel_radius;
         if radius <= 0.0 {
             report
-                .mistake(
-                    &self.radius,
-                    "the wheel radius must be positive",
-                    "not positive",
-                )
+                .mistake(&self.radius, "the wheel radius must be positive", "not positive")
                 .help("write the rolling radius of the tyre");
         } else if !(RADIUS.0..=RADIUS.1).contains(&radius) {
             let message = format!("a wheel radius of {} is not plausible", metres(radius));
@@ -101,10 +97,8 @@ impl Geometry<'_> {
         let across: Vec<usize> = (0..roles.len()).filter(across).collect();
         let center = self.model.architecture.wheel.center.0;
         if across.contains(&center) && 2 * across.len() > roles.len() {
-            let message = format!(
-                "the points lie on the {} side of the vehicle",
-                side.other().name()
-            );
+            let message =
+                format!("the points lie on the {} side of the vehicle", side.other().name());
             report
                 .mistake(&self.side, message, format!("not on the {}", side.name()))
                 .also(&self.points[center], "the wheel centre, for one")
@@ -119,11 +113,7 @@ impl Geometry<'_> {
             let name = &self.model.points[index].name;
             let message = format!("the point `{name}` lies across the centre line of the vehicle");
             report
-                .mistake(
-                    &self.points[index],
-                    message,
-                    format!("on the {}", side.other().name()),
-                )
+                .mistake(&self.points[index], message, format!("on the {}", side.other().name()))
                 .also(&self.side, "the model's side")
                 .help(format!("check the sign of y: {}", side.y_rule(axes)));
         }
@@ -132,11 +122,7 @@ impl Geometry<'_> {
 
 /// A length for messages.
 fn metres(length: f64) -> String {
-    if length < 1.0 {
-        format!("{:.3} mm", length * 1000.0)
-    } else {
-        format!("{length:.3} m")
-    }
+    if length < 1.0 { format!("{:.3} mm", length * 1000.0) } else { format!("{length:.3} m") }
 }
 
 impl LengthUnit {

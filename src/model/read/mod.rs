@@ -76,8 +76,6 @@ fn check_format(root: &mut Section, report: &mut Report) {
     if *format.get_ref() != FORMAT {
         let message = format!("format {} is not supported", format.get_ref());
         let help = "this version of hardpoint reads `format = 1`";
-        report
-            .mistake(&format.span(), message, "unknown format")
-            .help(help);
+        report.mistake(&format.span(), message, "unknown format").help(help);
     }
 }

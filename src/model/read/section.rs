@@ -22,13 +22,7 @@ pub(crate) struct Section<'t> {
 
 impl<'t> Section<'t> {
     pub(super) fn new(name: Option<String>, span: Range<usize>, table: &'t DeTable<'t>) -> Self {
-        Self {
-            name,
-            span,
-            table,
-            known: vec![],
-            missing: vec![],
-        }
+        Self { name, span, table, known: vec![], missing: vec![] }
     }
 
     /// Where a missing key belongs: the header of the table, or the start of the file.
@@ -161,9 +155,7 @@ impl<'t> Section<'t> {
                 None => format!("{place} may hold {}", suggest::listed(&self.known)),
             };
             let message = format!("{place} has no key `{word}`");
-            report
-                .mistake(&key.span(), message, "unknown key")
-                .help(help);
+            report.mistake(&key.span(), message, "unknown key").help(help);
         }
         self.finish_open(report);
     }
@@ -175,9 +167,7 @@ impl<'t> Section<'t> {
                 Some(name) => (format!("{name} lacks `{key}`"), "in this section"),
                 None => (format!("`{key}` is missing"), "in this file"),
             };
-            report
-                .mistake(&self.span, message, label)
-                .help(help.as_str());
+            report.mistake(&self.span, message, label).help(help.as_str());
         }
     }
 }
@@ -191,9 +181,7 @@ pub(crate) fn as_section<'t>(
 ) -> Option<Section<'t>> {
     let Some(table) = value.get_ref().as_table() else {
         let message = format!("{name} must be a section with `key = value` lines");
-        report
-            .mistake(&value.span(), message, "not a section")
-            .help(help);
+        report.mistake(&value.span(), message, "not a section").help(help);
         return None;
     };
     Some(Section::new(Some(name), value.span(), table))

@@ -79,11 +79,7 @@ impl FromToml for f64 {
         };
         if !f64::is_finite(number) {
             report
-                .mistake(
-                    &value.span(),
-                    format!("{what} is not a finite number"),
-                    "not finite",
-                )
+                .mistake(&value.span(), format!("{what} is not a finite number"), "not finite")
                 .help("write the measured value");
             return None;
         }
@@ -105,10 +101,7 @@ impl<T: FromToml, const N: usize> FromToml for [T; N] {
             return None;
         };
         let entry = format!("an entry of {what}");
-        let items: Vec<T> = list
-            .iter()
-            .filter_map(|item| T::read(item, &entry, report))
-            .collect();
+        let items: Vec<T> = list.iter().filter_map(|item| T::read(item, &entry, report)).collect();
         if list.len() != N {
             let message = format!("{what} must be {}, not {}", Self::EXPECTED, list.len());
             let label = format!("{} values here", list.len());

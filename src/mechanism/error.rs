@@ -1,0 +1,130 @@
+//! What can be wrong with the parts of a mechanism.
+
+use thiserror::Error;
+
+use super::topology::Point;
+
+/// Why a mechanism cannot be built. Positions are in metres.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum MechanismError {
+    /// Two things have one name.
+    #[error("there are two {what}s named `{name}`; give one of them another name")]
+    DuplicateName {
+        /// `body`, `point`, `joint` or `driver`.
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// A name without a visible character.
+    #[error("a {what} has an empty name; name it, because messages refer to it")]
+    EmptyName {
+        /// `body`, `point`, `joint` or `driver`.
+        what: &'static str,
+    },
+    /// A coordinate, component or radius is infinite or not a number.
+    #[error("{what} `{name}` has a number that is not finite ({value}); give a finite number")]
+    NotFinite {
+        /// What kind of thing.
+        what: &'static str,
+        /// Its name.
+        name: String,
+        /// The number.
+        value: f64,
+    },
+    /// An identifier that belongs to another mechanism.
+    #[error(
+        "{what} `{name}` refers to {target} number {number}, which this mechanism does not have; \
+         use the identifiers that this mechanism returned"
+    )]
+    UnknownId {
+        /// `joint` or `driver`.
+        what: &'static str,
+        /// Its name.
+        name: String,
+        /// `body` or `point`.
+        target: &'static str,
+        /// The number.
+        number: usize,
+    },
+    /// Both bodies are the same.
+    #[error("{what} `{name}` joins `{body}` with itself; name two different bodies")]
+    SameBody {
+        /// `joint` or `driver`.
+        what: &'static str,
+        /// Its name.
+        name: String,
+        /// The body.
+        body: String,
+    },
+    /// A line between two points has no length.
+    #[error(
+        "the {part} of {what} `{name}` runs from `{}` {:?} to `{}` {:?}, which are {distance:e} m apart: \
+         move one of the points",
+        .from.name, .from.position, .to.name, .to.position
+    )]
+    CoincidentPoints {
+        /// `joint` or `driver`.
+        what: &'static str,
+        /// Its name.
+        name: String,
+        /// `direction` or `length`.
+        part: &'static str,
+        /// First point.
+        from: Box<Point>,
+        /// Second point.
+        to: Box<Point>,
+        /// Distance (m).
+        distance: f64,
+    },
+    /// A constant direction is the zero vector.
+    #[error(
+        "the direction of {what} `{name}` is {direction:?}, which has no length; give a vector other than zero"
+    )]
+    ZeroDirection {
+        /// `joint` or `driver`.
+        what: &'static str,
+        /// Its name.
+        name: String,
+        /// The vector.
+        direction: [f64; 3],
+    },
+    /// A disc without size.
+    #[error(
+        "driver `{name}` has a radius of {radius} m at `{center}`; a radius has to be greater than zero"
+    )]
+    Radius {
+        /// The driver.
+        name: String,
+        /// The radius (m).
+        radius: f64,
+        /// Centre of the disc.
+        center: String,
+    },
+    /// A disc that lies flat has no lowest point.
+    #[error(
+        "the spin axis of driver `{name}` at `{center}` is vertical, so that the disc has no lowest point; \
+         turn the spin axis"
+    )]
+    VerticalSpin {
+        /// The driver.
+        name: String,
+        /// Centre of the disc.
+        center: String,
+    },
+    /// Heights are measured from the ground, on a moving body.
+    #[error(
+        "driver `{name}` prescribes a height between `{i}` and `{j}`; a height is measured from the ground \
+         (`{ground}`) as first body to a moving second body"
+    )]
+    HeightBodies {
+        /// The driver.
+        name: String,
+        /// Body *i*.
+        i: String,
+        /// Body *j*.
+        j: String,
+        /// Name of the ground.
+        ground: String,
+    },
+}

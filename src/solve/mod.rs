@@ -1,0 +1,31 @@
+//! From matrices to positions: where the mechanism goes.
+//!
+//! [`System`] is the entry: it analyses a mechanism, moves its drivers and
+//! answers where points and bodies are.
+//!
+//! | file | what |
+//! |---|---|
+//! | `linear` | factorise the values of a fixed pattern, then solve |
+//! | `newton`, `convergence` | the iteration of the paper's eq. (5)–(7) and Fig. 1 |
+//! | `equilibrium` | both residuals of eq. (4): coordinates and multipliers |
+//! | `position` | Φ = 0 alone |
+//! | `travel` | continuation along driver values |
+//! | `freedom` | redundant equations and free motions, in words |
+//! | `stop` | why a mechanism cannot go on |
+
+mod convergence;
+pub mod equilibrium;
+pub mod freedom;
+pub mod linear;
+mod motion;
+pub mod newton;
+mod position;
+mod rank;
+mod stop;
+mod system;
+mod travel;
+
+pub use convergence::Tolerances;
+pub use freedom::{FreeMotion, FreedomReport, RedundantEquation};
+pub use stop::{Stop, StopReason};
+pub use system::{StepReport, System, SystemError};

@@ -1,0 +1,243 @@
+//! A mechanism that can be moved.
+
+use thiserror::Error;
+
+use super::freedom::{self, BlockedDriver, FreedomReport};
+use super::motion;
+use super::position::{Position, Scales};
+use super::rank::scaled_jacobian;
+use super::stop::{Stop, StopReason};
+use super::travel::Travel;
+use crate::assembly::{Numbering, Terms, design_state};
+use crate::mechanism::{BodyId, DriverId, Expansion, Mechanism, PointId};
+use crate::relation::Coordinates;
+
+/// Why a mechanism cannot be solved at all.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum SystemError {
+    /// There is nothing to move.
+    #[error("the mechanism has no moving body; add one")]
+    NoBodies,
+    /// A driver prescribes what joints or other drivers hold.
+    #[error(
+        "driver `{}` cannot move: at the design position its motion is held by {}. \
+         Remove one of them, free a joint, or move the points off this dead centre",
+        .0.name, .0.held_by.join(", ")
+    )]
+    BlockedDriver(BlockedDriver),
+    /// The points are so far apart that numbers overflow.
+    #[error(
+        "the design position gives numbers that are not finite; check the coordinates and their unit"
+    )]
+    NotFinite,
+}
+
+/// How a motion went.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepReport {
+    /// Newton iterations, those of rejected steps included.
+    pub iterations: usize,
+    /// Accepted steps of the continuation.
+    pub steps: usize,
+    /// The largest residual at the end, each equation divided by the size of its terms.
+    pub relative_residual: f64,
+}
+
+/// A mechanism with its state, ready to be moved by its drivers.
+///
+/// The state starts at the design position. Every motion continues from
+/// the current state, so it stays on the branch on which the mechanism was
+/// assembled.
+///
+/// ```
+/// use hardpoint::mechanism::{BodyId, Direction, DriverKind, JointKind, Mechanism};
+/// use hardpoint::solve::System;
+///
+/// let mut pendulum = Mechanism::new("ground");
+/// let rod = pendulum.add_body("rod", [0.0; 3])?;
+/// let pin = pendulum.add_point("pin", [0.0; 3])?;
+/// let tip = pendulum.add_point("tip", [0.0, 0.0, -1.0])?;
+/// let axis = Direction::Fixed([1.0, 0.0, 0.0]);
+/// pendulum.add_joint("hinge", BodyId::GROUND, rod, JointKind::Revolute { at: pin, axis })?;
+/// let swing = pendulum.add_driver("swing", BodyId::GROUND, rod, DriverKind::Rotation { axis })?;
+///
+/// let mut system = System::new(pendulum)?;
+/// system.move_to(&[(swing, std::f64::consts::FRAC_PI_2)])?;
+/// let [x, y, z] = system.point_position(rod, tip);
+/// assert!(x.abs() < 1e-12 && (y - 1.0).abs() < 1e-12 && z.abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct System {
+    mechanism: Mechanism,
+    expansion: Expansion,
+    terms: Terms,
+    freedom: FreedomReport,
+    position: Position,
+    travel: Travel,
+    design: Vec<f64>,
+    targets: Vec<f64>,
+}
+
+impl System {
+    /// Analyses the mechanism at its design position and sets everything up that the motion needs.
+    ///
+    /// # Errors
+    /// [`SystemError`] if nothing can move or a driver cannot. Redundant equations and free
+    /// motions are no errors: see [`Self::freedom`]. Free motions stay as still as they can.
+    pub fn new(mechanism: Mechanism) -> Result<Self, SystemError> {
+        if mechanism.bodies().len() < 2 {
+            return Err(SystemError::NoBodies);
+        }
+        let expansion = Expansion::new(&mechanism);
+        let terms = Terms::new(&expansion);
+        let state = design_state(mechanism.bodies());
+        let h: Vec<f64> = expansion.parameters(&mechanism.positions());
+        let scales = Scales::of(&mechanism);
+        let (jacobian, mut sizes) = scaled_jacobian(&expansion, &terms, &state, &h, scales);
+        if !h.iter().chain(&sizes).all(|number| number.is_finite()) {
+            return Err(SystemError::NotFinite);
+        }
+        sizes.iter_mut().filter(|size| **size == 0.0).for_each(|size| *size = 1.0);
+
+        let freedom = freedom::report(&mechanism, &expansion, jacobian.as_ref(), &state, scales);
+        if let Some(blocked) = freedom.blocked_drivers.first() {
+            return Err(SystemError::BlockedDriver(blocked.clone()));
+        }
+        let left_out: Vec<usize> = freedom.redundant.iter().map(|r| r.equation).collect();
+        let numbering = Numbering::new(&expansion, &left_out);
+        let design = h.clone();
+        let position = Position::new(terms.clone(), numbering, scales, sizes, state, h);
+        let slots = (0..mechanism.drivers().len())
+            .map(|driver| expansion.driver_slot(DriverId(driver)))
+            .collect();
+        Ok(Self {
+            travel: Travel::new(&position, slots, !left_out.is_empty()),
+            targets: vec![0.0; mechanism.drivers().len()],
+            mechanism,
+            expansion,
+            terms,
+            freedom,
+            position,
+            design,
+        })
+    }
+
+    /// The mechanism.
+    pub fn mechanism(&self) -> &Mechanism {
+        &self.mechanism
+    }
+
+    /// The mechanism as relations.
+    pub fn expansion(&self) -> &Expansion {
+        &self.expansion
+    }
+
+    /// Redundant equations and free motions at the design position.
+    pub fn freedom(&self) -> &FreedomReport {
+        &self.freedom
+    }
+
+    /// Coordinates of all bodies, the ground first.
+    pub fn state(&self) -> &[Coordinates<f64>] {
+        &self.position.state
+    }
+
+    /// The parameters h of all relations, with the current values of the drivers.
+    pub fn parameters(&self) -> &[f64] {
+        &self.position.h
+    }
+
+    /// The value that a driver has reached (m or rad), measured from the design position.
+    pub fn driver_value(&self, driver: DriverId) -> f64 {
+        self.travel.values()[driver.index()]
+    }
+
+    /// Sets the value (m or rad) that the next [`Self::move_to`] takes a driver to.
+    ///
+    /// # Panics
+    /// If the driver belongs to another mechanism.
+    pub fn set_driver(&mut self, driver: DriverId, value: f64) {
+        self.targets[driver.index()] = value;
+    }
+
+    /// Moves from the current state until the given drivers have the given values (m or
+    /// rad, measured from the design position); the others keep theirs or go where
+    /// [`Self::set_driver`] sends them. All drivers move in proportion.
+    ///
+    /// # Errors
+    /// [`Stop`] says where the mechanism cannot go on and why. The state is then the last one
+    /// that was reached.
+    ///
+    /// # Panics
+    /// If a driver belongs to another mechanism.
+    pub fn move_to(&mut self, targets: &[(DriverId, f64)]) -> Result<StepReport, Stop> {
+        for &(driver, value) in targets {
+            self.set_driver(driver, value);
+        }
+        let moved = match self.targets.iter().position(|value| !value.is_finite()) {
+            Some(driver) => {
+                Err(StopReason::NotFinite { driver: self.mechanism.drivers()[driver].name.clone() })
+            }
+            None => self
+                .travel
+                .move_to(&mut self.position, &self.design, &self.targets)
+                .map_err(|failure| self.explain(failure)),
+        };
+        moved.map_err(|reason| {
+            let stop = Stop::new(&self.mechanism, reason, self.travel.values(), &self.targets);
+            self.targets.copy_from_slice(self.travel.values());
+            stop
+        })
+    }
+
+    /// Returns to the design position with all drivers at zero.
+    pub fn reset(&mut self) {
+        let design = design_state(self.mechanism.bodies());
+        self.position.state.copy_from_slice(&design);
+        self.position.h.copy_from_slice(&self.design);
+        self.targets.fill(0.0);
+        self.travel.reset();
+    }
+
+    /// Where a point of a body is (m). The point moves with the body, whichever joint it belongs to.
+    ///
+    /// # Panics
+    /// If body or point belong to another mechanism.
+    pub fn point_position(&self, body: BodyId, point: PointId) -> [f64; 3] {
+        motion::point_position(&self.mechanism, self.state(), body, point)
+    }
+
+    /// The rotation matrix of a body, row by row: it turns directions from the design position to
+    /// the current one.
+    ///
+    /// # Panics
+    /// If the body belongs to another mechanism.
+    pub fn rotation(&self, body: BodyId) -> [[f64; 3]; 3] {
+        let q = &self.state()[body.index()];
+        let p = [q[3], q[4], q[5], q[6]];
+        let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+            .map(|axis| crate::vector::rotate(p, axis));
+        std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]))
+    }
+
+    pub(super) fn position(&self) -> &Position {
+        &self.position
+    }
+
+    pub(super) fn terms(&self) -> &Terms {
+        &self.terms
+    }
+
+    /// Says why the travel failed. Only called on failure, so it may take its time.
+    fn explain(&self, failure: super::travel::Failure) -> StopReason {
+        super::stop::explain(
+            &self.mechanism,
+            &self.expansion,
+            &self.terms,
+            &self.position,
+            &self.design,
+            failure,
+        )
+    }
+}
