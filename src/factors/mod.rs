@@ -75,8 +75,7 @@ fn angles(pose: &Pose<f64>) -> [f64; 3] {
     wheel::rotation_angles(pose.axes.rotation_from_iso(pose.rotation))
 }
 
-const ROTATION: &str =
-    "R = Rx(a) Ry(b) Rz(c), R the rotation of the wheel's body from design, in the model's axes";
+const ROTATION: &str = "R = Rx(a) Ry(b) Rz(c), from design, in the model's axes";
 
 /// All factors, in the order in which reports show them.
 pub const FACTORS: &[Factor] = &[

@@ -149,7 +149,10 @@ impl Sweep {
             held: length(held, 0.0),
         };
         let states = ((plan.to - plan.from) / plan.step).abs();
-        if plan.step == 0.0 || states > MOST_STATES || states.is_nan() {
+        if plan.step == 0.0 {
+            return usage("--step is zero");
+        }
+        if states > MOST_STATES {
             return usage("--step is too small for the range: at most 1,000,000 states");
         }
         Ok(plan)
