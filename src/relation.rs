@@ -154,15 +154,11 @@ pub trait Relation<S: Scalar>: Sync {
 /// A slice as an array of the length that a kernel works on.
 #[inline(always)]
 pub(crate) fn exact<S, const N: usize>(slice: &[S]) -> &[S; N] {
-    slice
-        .try_into()
-        .expect("the slice has the length of the pattern")
+    slice.try_into().expect("the slice has the length of the pattern")
 }
 
 /// As [`exact`], for writing.
 #[inline(always)]
 pub(crate) fn exact_mut<S, const N: usize>(slice: &mut [S]) -> &mut [S; N] {
-    slice
-        .try_into()
-        .expect("the slice has the length of the pattern")
+    slice.try_into().expect("the slice has the length of the pattern")
 }

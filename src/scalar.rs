@@ -96,10 +96,7 @@ impl Div for Dual {
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
-        Self::new(
-            value,
-            (self.derivative - value * other.derivative) / other.value,
-        )
+        Self::new(value, (self.derivative - value * other.derivative) / other.value)
     }
 }
 

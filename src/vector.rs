@@ -27,11 +27,7 @@ pub fn dot<S: Scalar>(a: Vector<S>, b: Vector<S>) -> S {
 
 /// The vector product.
 pub fn cross<S: Scalar>(a: Vector<S>, b: Vector<S>) -> Vector<S> {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// The Euclidean length.

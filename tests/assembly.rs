@@ -20,38 +20,19 @@ fn one_of_each() -> Mechanism {
     for (name, kind) in [
         ("spherical", JointKind::Spherical { at: a }),
         ("revolute", JointKind::Revolute { at: b, axis }),
-        (
-            "universal",
-            JointKind::Universal {
-                at: a,
-                shaft: fixed,
-            },
-        ),
-        (
-            "translational",
-            JointKind::Translational { at: b, axis: fixed },
-        ),
+        ("universal", JointKind::Universal { at: a, shaft: fixed }),
+        ("translational", JointKind::Translational { at: b, axis: fixed }),
         ("cylindrical", JointKind::Cylindrical { at: a, axis }),
         ("fixed", JointKind::Fixed { at: b }),
         ("link", JointKind::Link { on_i: a, on_j: b }),
-        (
-            "in_plane",
-            JointKind::InPlane {
-                at: b,
-                normal: axis,
-            },
-        ),
+        ("in_plane", JointKind::InPlane { at: b, normal: axis }),
         ("in_line", JointKind::InLine { at: a, axis: fixed }),
     ] {
         m.add_joint(name, first, second, kind).unwrap();
-        m.add_joint(&format!("{name} to ground"), BodyId::GROUND, third, kind)
-            .unwrap();
+        m.add_joint(&format!("{name} to ground"), BodyId::GROUND, third, kind).unwrap();
     }
     let moving = [
-        (
-            "displacement",
-            DriverKind::Displacement { at: a, along: axis },
-        ),
+        ("displacement", DriverKind::Displacement { at: a, along: axis }),
         ("rotation", DriverKind::Rotation { axis: fixed }),
         ("length", DriverKind::Length { on_i: a, on_j: b }),
     ];
@@ -61,14 +42,7 @@ fn one_of_each() -> Mechanism {
     let spin = Direction::Fixed([0.1, 1.0, 0.05]);
     let heights = [
         ("height", DriverKind::Height { at: b }),
-        (
-            "patch",
-            DriverKind::PatchHeight {
-                center: a,
-                spin,
-                radius: 0.3,
-            },
-        ),
+        ("patch", DriverKind::PatchHeight { center: a, spin, radius: 0.3 }),
     ];
     for (name, kind) in heights {
         m.add_driver(name, BodyId::GROUND, first, kind).unwrap();
@@ -101,12 +75,9 @@ fn dense(pattern: &Pattern, values: &[f64]) -> Vec<Vec<f64>> {
 
 #[test]
 fn equilibrium_matrix_is_the_derivative_of_its_residual() {
-    for mechanism in [
-        one_of_each(),
-        double_wishbone(TieRod::Universal, |p| p, |v| v)
-            .unwrap()
-            .mechanism,
-    ] {
+    for mechanism in
+        [one_of_each(), double_wishbone(TieRod::Universal, |p| p, |v| v).unwrap().mechanism]
+    {
         let expansion = Expansion::new(&mechanism);
         let left_out = [4, 7];
         let numbering = Numbering::new(&expansion, &left_out);
@@ -126,23 +97,14 @@ fn equilibrium_matrix_is_the_derivative_of_its_residual() {
         let mut residual = |x: &[f64]| {
             let mut state = state.clone();
             let mut lambda = lambda.clone();
-            state
-                .iter_mut()
-                .skip(1)
-                .flatten()
-                .zip(x)
-                .for_each(|(q, dx)| *q += dx);
+            state.iter_mut().skip(1).flatten().zip(x).for_each(|(q, dx)| *q += dx);
             for (&equation, dx) in numbering.kept().iter().zip(&x[n..]) {
                 lambda[equation] += dx;
             }
             let mut phi = vec![0.0; phi.len()];
             kkt.residual(&state, &h, &lambda, &mut phi);
             let kept = numbering.kept().iter().map(|&equation| phi[equation]);
-            kkt.force()
-                .iter()
-                .copied()
-                .chain(kept)
-                .collect::<Vec<f64>>()
+            kkt.force().iter().copied().chain(kept).collect::<Vec<f64>>()
         };
         let here = residual(&vec![0.0; matrix.len()]);
         assert!(common::difference(&here[..n], &force) < 1e-13);
@@ -181,10 +143,7 @@ fn constraint_matrix_is_the_lower_left_block() {
     kkt.fill(&state, &h, &lambda, &mut phi);
     let n = numbering.unknowns();
     let whole = dense(kkt.pattern(), kkt.values());
-    for (row, entries) in dense(jacobian.pattern(), jacobian.values())
-        .iter()
-        .enumerate()
-    {
+    for (row, entries) in dense(jacobian.pattern(), jacobian.values()).iter().enumerate() {
         for (column, value) in entries.iter().enumerate() {
             // Two programs compute it, so it is the same up to rounding.
             assert!((whole[n + row][column] - value).abs() < 1e-14);
@@ -236,9 +195,6 @@ fn the_design_product_is_the_derivative_along_parameters() {
     };
     for (exact, (plus, minus)) in product.iter().zip(at(1e-5).iter().zip(at(-1e-5))) {
         let difference = (plus - minus) / 2e-5;
-        assert!(
-            (exact - difference).abs() < 1e-8,
-            "{exact} and {difference}"
-        );
+        assert!((exact - difference).abs() < 1e-8, "{exact} and {difference}");
     }
 }

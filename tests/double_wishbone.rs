@@ -20,10 +20,7 @@ fn travel_agrees_with_the_reference_in_three_iterations_a_point() {
             assert_eq!(report.steps, 1, "{travel} mm: {report:?}");
         }
         assert!(report.relative_residual <= 1e-12, "{travel} mm: {report:?}");
-        let position = difference(
-            &system.point_position(car.upright, car.wheel_center),
-            center,
-        );
+        let position = difference(&system.point_position(car.upright, car.wheel_center), center);
         assert!(position < 1e-13, "{travel} mm: {position:e} m");
         let turned = system.rotation(car.upright);
         let angle = difference(turned.as_flattened(), rotation.as_flattened());
@@ -38,10 +35,7 @@ fn steering_agrees_with_the_reference() {
     for (rack, center, rotation) in &sedan::STEER {
         let report = system.move_to(&[(car.steer, rack * 1e-3)]).unwrap();
         assert!(report.relative_residual <= 1e-12, "{rack} mm: {report:?}");
-        let position = difference(
-            &system.point_position(car.upright, car.wheel_center),
-            center,
-        );
+        let position = difference(&system.point_position(car.upright, car.wheel_center), center);
         assert!(position < 1e-13, "{rack} mm: {position:e} m");
         let turned = system.rotation(car.upright);
         let angle = difference(turned.as_flattened(), rotation.as_flattened());

@@ -42,29 +42,16 @@ fn missing_drivers_are_free_motions() {
     let door = m.add_body("door", [0.3, 0.0, 0.0]).unwrap();
     let sledge = m.add_body("sledge", [2.0, 0.0, 0.0]).unwrap();
     let axis = Direction::Between(a, b);
-    m.add_joint("hinge", GROUND, door, JointKind::Revolute { at: a, axis })
-        .unwrap();
+    m.add_joint("hinge", GROUND, door, JointKind::Revolute { at: a, axis }).unwrap();
     let axis = Direction::Fixed([3.0, 0.0, 4.0]);
-    m.add_joint(
-        "rail",
-        GROUND,
-        sledge,
-        JointKind::Translational { at: c, axis },
-    )
-    .unwrap();
+    m.add_joint("rail", GROUND, sledge, JointKind::Translational { at: c, axis }).unwrap();
     let report = analyse(&m);
-    let mut words: Vec<_> = report
-        .free_motions
-        .iter()
-        .map(|motion| motion.description.as_str())
-        .collect();
+    let mut words: Vec<_> =
+        report.free_motions.iter().map(|motion| motion.description.as_str()).collect();
     words.sort_unstable();
     assert_eq!(
         words,
-        [
-            "door turns about the line pin–far_pin",
-            "sledge moves along (0.6000, 0.0000, 0.8000)"
-        ]
+        ["door turns about the line pin–far_pin", "sledge moves along (0.6000, 0.0000, 0.8000)"]
     );
 }
 
@@ -77,12 +64,7 @@ fn a_loose_body_has_six_free_motions() {
     let report = analyse(&m);
     assert_eq!(report.degrees_of_freedom, 6);
     assert_eq!(report.free_motions.len(), 6, "{report}");
-    assert!(
-        report
-            .free_motions
-            .iter()
-            .all(|motion| motion.bodies.len() == 1)
-    );
+    assert!(report.free_motions.iter().all(|motion| motion.bodies.len() == 1));
 }
 
 #[test]
@@ -92,26 +74,14 @@ fn coupled_bodies_are_one_motion() {
     let mut m = Mechanism::new("chassis");
     let names = ["lca_front", "lca_rear", "lca_outer"];
     let mut ids = vec![];
-    for point in car
-        .mechanism
-        .points()
-        .iter()
-        .filter(|point| names.contains(&&*point.name))
-    {
+    for point in car.mechanism.points().iter().filter(|point| names.contains(&&*point.name)) {
         ids.push(m.add_point(&point.name, point.position).unwrap());
     }
     let arm = m.add_body("lca", [0.0; 3]).unwrap();
     let hub = m.add_body("hub", [0.5, 0.5, 0.0]).unwrap();
     let axis = Direction::Between(ids[0], ids[1]);
-    m.add_joint(
-        "pivot",
-        GROUND,
-        arm,
-        JointKind::Revolute { at: ids[0], axis },
-    )
-    .unwrap();
-    m.add_joint("weld", arm, hub, JointKind::Fixed { at: ids[2] })
-        .unwrap();
+    m.add_joint("pivot", GROUND, arm, JointKind::Revolute { at: ids[0], axis }).unwrap();
+    m.add_joint("weld", arm, hub, JointKind::Fixed { at: ids[2] }).unwrap();
     let report = analyse(&m);
     assert_eq!(report.free_motions.len(), 1);
     assert_eq!(
@@ -132,17 +102,12 @@ fn a_driver_against_the_joints_is_refused_by_name() {
     let tip = m.add_point("tip", [0.0, 0.0, 0.4]).unwrap();
     let arm = m.add_body("arm", [0.0; 3]).unwrap();
     let axis = Direction::Fixed([0.0, 1.0, 0.0]);
-    m.add_joint("hinge", GROUND, arm, JointKind::Revolute { at: p, axis })
-        .unwrap();
-    m.add_driver("swing", GROUND, arm, DriverKind::Rotation { axis })
-        .unwrap();
-    m.add_driver("lift", GROUND, arm, DriverKind::Height { at: tip })
-        .unwrap();
+    m.add_joint("hinge", GROUND, arm, JointKind::Revolute { at: p, axis }).unwrap();
+    m.add_driver("swing", GROUND, arm, DriverKind::Rotation { axis }).unwrap();
+    m.add_driver("lift", GROUND, arm, DriverKind::Height { at: tip }).unwrap();
     let report = analyse(&m);
     assert_eq!(report.blocked_drivers.len(), 1, "{report}");
-    let Err(SystemError::BlockedDriver(blocked)) = System::new(m) else {
-        panic!("{report}")
-    };
+    let Err(SystemError::BlockedDriver(blocked)) = System::new(m) else { panic!("{report}") };
     assert_eq!(blocked.held_by, ["hinge"]);
 }
 
@@ -158,39 +123,12 @@ fn a_dead_centre_at_the_design_position_names_the_driver() {
     let crank = m.add_body("crank", [0.0; 3]).unwrap();
     let rod = m.add_body("rod", [0.0; 3]).unwrap();
     let slider = m.add_body("slider", [0.0; 3]).unwrap();
-    m.add_joint(
-        "main",
-        GROUND,
-        crank,
-        JointKind::Revolute { at: o, axis: y },
-    )
-    .unwrap();
-    m.add_joint("crank_pin", crank, rod, JointKind::Spherical { at: a })
-        .unwrap();
-    m.add_joint(
-        "gudgeon",
-        rod,
-        slider,
-        JointKind::Universal { at: b, shaft: x },
-    )
-    .unwrap();
-    m.add_joint(
-        "bore",
-        GROUND,
-        slider,
-        JointKind::Translational { at: b, axis: x },
-    )
-    .unwrap();
-    m.add_driver(
-        "stroke",
-        GROUND,
-        slider,
-        DriverKind::Displacement { at: b, along: x },
-    )
-    .unwrap();
-    let Err(error) = System::new(m) else {
-        panic!("a slider at its dead centre was accepted")
-    };
+    m.add_joint("main", GROUND, crank, JointKind::Revolute { at: o, axis: y }).unwrap();
+    m.add_joint("crank_pin", crank, rod, JointKind::Spherical { at: a }).unwrap();
+    m.add_joint("gudgeon", rod, slider, JointKind::Universal { at: b, shaft: x }).unwrap();
+    m.add_joint("bore", GROUND, slider, JointKind::Translational { at: b, axis: x }).unwrap();
+    m.add_driver("stroke", GROUND, slider, DriverKind::Displacement { at: b, along: x }).unwrap();
+    let Err(error) = System::new(m) else { panic!("a slider at its dead centre was accepted") };
     let message = error.to_string();
     for word in ["`stroke`", "main", "crank_pin", "gudgeon", "dead centre"] {
         assert!(message.contains(word), "{message}");
@@ -206,29 +144,17 @@ fn joints_that_lock_a_redundant_mechanism_are_found_by_its_residual() {
     let a = m.add_point("a", [0.0; 3]).unwrap();
     let b = m.add_point("b", [0.5, 0.0, 0.0]).unwrap();
     let door = m.add_body("door", [0.0; 3]).unwrap();
-    m.add_joint(
-        "hinge",
-        GROUND,
-        door,
-        JointKind::Revolute { at: a, axis: z },
-    )
-    .unwrap();
+    m.add_joint("hinge", GROUND, door, JointKind::Revolute { at: a, axis: z }).unwrap();
     // A link along the radius: to first order the door can turn, in truth it cannot.
-    m.add_joint("link", GROUND, door, JointKind::Link { on_i: a, on_j: b })
-        .unwrap();
+    m.add_joint("link", GROUND, door, JointKind::Link { on_i: a, on_j: b }).unwrap();
     let c = m.add_point("c", [2.0, 0.0, 0.0]).unwrap();
     let stay = JointKind::Link { on_i: c, on_j: b };
     m.add_joint("stay", GROUND, door, stay).unwrap();
-    let swing = m
-        .add_driver("swing", GROUND, door, DriverKind::Rotation { axis: z })
-        .unwrap();
+    let swing = m.add_driver("swing", GROUND, door, DriverKind::Rotation { axis: z }).unwrap();
     let mut system = System::new(m).unwrap();
     assert_eq!(system.freedom().redundant.len(), 2, "{}", system.freedom());
     let stop = system.move_to(&[(swing, 0.5)]).unwrap_err();
     let message = stop.to_string();
-    assert!(
-        message.contains("stay (rigid link of ground and door)"),
-        "{message}"
-    );
+    assert!(message.contains("stay (rigid link of ground and door)"), "{message}");
     assert!(system.driver_value(swing).abs() < 1e-3, "{message}");
 }

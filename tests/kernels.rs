@@ -22,10 +22,7 @@ fn dense(pattern: &[(u8, u8)], values: &[f64], rows: usize, columns: usize) -> V
 
 /// Compares matrices relative to the largest entry of the expected one.
 fn assert_close(what: &str, found: &[Vec<f64>], expected: &[Vec<f64>]) {
-    let scale = expected
-        .iter()
-        .flatten()
-        .fold(1.0_f64, |scale, value| scale.max(value.abs()));
+    let scale = expected.iter().flatten().fold(1.0_f64, |scale, value| scale.max(value.abs()));
     for (row, (found, expected)) in found.iter().zip(expected).enumerate() {
         for (column, (found, expected)) in found.iter().zip(expected).enumerate() {
             let difference = (found - expected).abs();
@@ -49,10 +46,7 @@ struct Outputs {
 }
 
 fn split<S: Copy>(q: &[S; 14]) -> ([S; 7], [S; 7]) {
-    (
-        std::array::from_fn(|k| q[k]),
-        std::array::from_fn(|k| q[7 + k]),
-    )
+    (std::array::from_fn(|k| q[k]), std::array::from_fn(|k| q[7 + k]))
 }
 
 fn outputs(kind: RelationKind, state: &State) -> Outputs {
@@ -60,24 +54,13 @@ fn outputs(kind: RelationKind, state: &State) -> Outputs {
     let kernels = kind.kernels::<f64>();
     let (q_i, q_j) = split(&state.q);
     let (v_i, v_j) = split(&state.v);
-    let place = Place {
-        q_i: &q_i,
-        q_j: &q_j,
-        h: &state.h,
-    };
+    let place = Place { q_i: &q_i, q_j: &q_j, h: &state.h };
     let vector = |size: usize| vec![f64::NAN; size];
     let mut phi = vector(shape.equations);
     let mut phi_q = vector(shape.jacobian.len());
     let mut work = vector(shape.work.len());
     let mut curvature = vector(shape.curvature.len());
-    kernels.curvature(
-        place,
-        &state.lambda,
-        &mut phi,
-        &mut phi_q,
-        &mut work,
-        &mut curvature,
-    );
+    kernels.curvature(place, &state.lambda, &mut phi, &mut phi_q, &mut work, &mut curvature);
     let mut phi_h = vector(shape.design.len());
     let mut force_h = vector(shape.force_design.len());
     kernels.design(place, &state.lambda, &mut phi_h, &mut force_h);
@@ -92,21 +75,11 @@ fn outputs(kind: RelationKind, state: &State) -> Outputs {
     let mut phi_q_with = vector(shape.jacobian.len());
     kernels.jacobian(place, &mut phi_with, &mut phi_q_with, &mut work);
     let close = |a: &[f64], b: &[f64]| {
-        a.iter()
-            .zip(b)
-            .all(|(a, b)| (a - b).abs() <= 1e-14 * (1.0 + b.abs()))
+        a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-14 * (1.0 + b.abs()))
     };
     assert!(close(&phi_alone, &phi) && close(&phi_with, &phi) && close(&phi_q_with, &phi_q));
 
-    Outputs {
-        phi,
-        phi_q,
-        curvature,
-        phi_h,
-        force_h,
-        rate_q,
-        rate_h,
-    }
+    Outputs { phi, phi_q, curvature, phi_h, force_h, rate_q, rate_h }
 }
 
 /// Φ of the residual program on another number type, from functions that seed it.
@@ -117,22 +90,10 @@ fn residual<S: Scalar>(
     h: impl Fn(usize, f64) -> S,
 ) -> Vec<S> {
     let q: [S; 14] = std::array::from_fn(|k| q(k, state.q[k]));
-    let h: Vec<S> = state
-        .h
-        .iter()
-        .enumerate()
-        .map(|(k, &value)| h(k, value))
-        .collect();
+    let h: Vec<S> = state.h.iter().enumerate().map(|(k, &value)| h(k, value)).collect();
     let (q_i, q_j) = split(&q);
     let mut phi = vec![S::from_f64(f64::NAN); kind.shape().equations];
-    kind.kernels::<S>().residual(
-        Place {
-            q_i: &q_i,
-            q_j: &q_j,
-            h: &h,
-        },
-        &mut phi,
-    );
+    kind.kernels::<S>().residual(Place { q_i: &q_i, q_j: &q_j, h: &h }, &mut phi);
     phi
 }
 
@@ -154,9 +115,7 @@ impl Direction<'_> {
     }
 
     fn h(self, k: usize) -> f64 {
-        f64::from(u8::from(
-            matches!(self, Self::Parameter(parameter) if parameter == k),
-        ))
+        f64::from(u8::from(matches!(self, Self::Parameter(parameter) if parameter == k)))
     }
 }
 
@@ -164,10 +123,7 @@ impl Direction<'_> {
 fn first(kind: RelationKind, state: &State, direction: Direction<'_>) -> Vec<f64> {
     let q = |k: usize, value: f64| -> First { Foreign(Dual64::new(value, direction.q(k))) };
     let h = |k: usize, value: f64| -> First { Foreign(Dual64::new(value, direction.h(k))) };
-    residual(kind, state, q, h)
-        .iter()
-        .map(|phi| phi.0.eps)
-        .collect()
+    residual(kind, state, q, h).iter().map(|phi| phi.0.eps).collect()
 }
 
 /// Second derivative of each equation.
@@ -176,19 +132,14 @@ fn second(kind: RelationKind, state: &State, a: Direction<'_>, b: Direction<'_>)
         |k: usize, value: f64| -> Second { Foreign(HyperDual64::new(value, a.q(k), b.q(k), 0.0)) };
     let h =
         |k: usize, value: f64| -> Second { Foreign(HyperDual64::new(value, a.h(k), b.h(k), 0.0)) };
-    residual(kind, state, q, h)
-        .iter()
-        .map(|phi| phi.0.eps1eps2)
-        .collect()
+    residual(kind, state, q, h).iter().map(|phi| phi.0.eps1eps2).collect()
 }
 
 /// A matrix from its columns.
 fn columns(count: usize, column: impl Fn(usize) -> Vec<f64>) -> Vec<Vec<f64>> {
     let columns: Vec<_> = (0..count).map(column).collect();
     let rows = columns.first().map_or(0, Vec::len);
-    (0..rows)
-        .map(|row| columns.iter().map(|column| column[row]).collect())
-        .collect()
+    (0..rows).map(|row| columns.iter().map(|column| column[row]).collect()).collect()
 }
 
 fn for_each_state(mut test: impl FnMut(RelationKind, &'static Shape, &State)) {
@@ -218,11 +169,7 @@ fn jacobian_and_design_equal_dual_numbers() {
 fn curvature_equals_second_order_dual_numbers_and_is_symmetric() {
     for_each_state(|kind, shape, state| {
         let found = outputs(kind, state);
-        assert!(
-            shape.curvature.iter().all(|(row, column)| row >= column),
-            "{}",
-            shape.name
-        );
+        assert!(shape.curvature.iter().all(|(row, column)| row >= column), "{}", shape.name);
         let mut curvature = dense(shape.curvature, &found.curvature, 14, 14);
         for row in 0..14 {
             for column in row + 1..14 {
@@ -265,14 +212,11 @@ fn rate_equals_second_order_dual_numbers() {
         let found = outputs(kind, state);
         let velocity = Direction::Velocity(&state.v);
         let (rows, parameters) = (shape.equations, shape.parameter_count());
-        let expected = columns(14, |k| {
-            second(kind, state, velocity, Direction::Coordinate(k))
-        });
+        let expected = columns(14, |k| second(kind, state, velocity, Direction::Coordinate(k)));
         let rate_q = dense(shape.rate, &found.rate_q, rows, 14);
         assert_close(&format!("{} (Φ_q v)_q", shape.name), &rate_q, &expected);
-        let expected = columns(parameters, |k| {
-            second(kind, state, velocity, Direction::Parameter(k))
-        });
+        let expected =
+            columns(parameters, |k| second(kind, state, velocity, Direction::Parameter(k)));
         let rate_h = dense(shape.rate_design, &found.rate_h, rows, parameters);
         assert_close(&format!("{} (Φ_q v)_h", shape.name), &rate_h, &expected);
     });
@@ -288,13 +232,8 @@ fn kernels_run_on_dual_numbers() {
         let mut phi = vec![Dual::default(); shape.equations];
         let mut phi_q = vec![Dual::default(); shape.jacobian.len()];
         let mut work = vec![Dual::default(); shape.work.len()];
-        let place = Place {
-            q_i: &q_i,
-            q_j: &q_j,
-            h: &h,
-        };
-        kind.kernels::<Dual>()
-            .jacobian(place, &mut phi, &mut phi_q, &mut work);
+        let place = Place { q_i: &q_i, q_j: &q_j, h: &h };
+        kind.kernels::<Dual>().jacobian(place, &mut phi, &mut phi_q, &mut work);
         let derivatives: Vec<f64> = phi_q.iter().map(|entry| entry.derivative).collect();
         let found = dense(shape.jacobian, &derivatives, shape.equations, 14);
         let rate = outputs(kind, state).rate_q;
@@ -336,10 +275,8 @@ fn by_hand(kind: RelationKind, state: &State) -> Vec<f64> {
         }
         RelationKind::Rotation => {
             let w = times(&a[1], &h[6..9]);
-            let (cosine, sine) = (
-                dot(&times(&a[0], &h[0..3]), &w),
-                dot(&times(&a[0], &h[3..6]), &w),
-            );
+            let (cosine, sine) =
+                (dot(&times(&a[0], &h[0..3]), &w), dot(&times(&a[0], &h[3..6]), &w));
             vec![sine * h[9].cos() - cosine * h[9].sin()]
         }
         RelationKind::PointHeight => vec![point(0, &h[0..3])[2] - h[3]],
@@ -359,11 +296,7 @@ fn residuals_equal_those_written_by_hand() {
         let found = outputs(kind, state).phi;
         for (found, expected) in found.iter().zip(by_hand(kind, state)) {
             let difference = (found - expected).abs();
-            assert!(
-                difference <= 1e-13,
-                "{}: {found} by hand {expected}",
-                shape.name
-            );
+            assert!(difference <= 1e-13, "{}: {found} by hand {expected}", shape.name);
         }
     });
 }
@@ -377,10 +310,8 @@ fn moved(state: &State, p: [f64; 4], shift: [f64; 3]) -> State {
         for k in 0..3 {
             state.q[body + k] = r[k] + shift[k];
         }
-        let (e0, e) = (
-            state.q[body + 3],
-            [state.q[body + 4], state.q[body + 5], state.q[body + 6]],
-        );
+        let (e0, e) =
+            (state.q[body + 3], [state.q[body + 4], state.q[body + 5], state.q[body + 6]]);
         let b = [p[1], p[2], p[3]];
         state.q[body + 3] = p[0] * e0 - dot(&b, &e);
         for k in 0..3 {
@@ -411,11 +342,7 @@ fn rigid_motion_of_the_whole_leaves_residuals() {
         }
         let after = outputs(kind, &moved(state, p, shift)).phi;
         for (before, after) in before.iter().zip(&after) {
-            assert!(
-                (before - after).abs() <= 1e-13,
-                "{}: {before} {after}",
-                shape.name
-            );
+            assert!((before - after).abs() <= 1e-13, "{}: {before} {after}", shape.name);
         }
     });
 }
@@ -428,21 +355,10 @@ fn no_kernel_is_singular_at_the_design_position() {
         for body in [3, 10] {
             state.q[body..body + 4].copy_from_slice(&[1.0, 0.0, 0.0, 0.0]);
         }
-        let Outputs {
-            phi,
-            phi_q,
-            curvature,
-            phi_h,
-            force_h,
-            rate_q,
-            rate_h,
-        } = outputs(kind, &state);
+        let Outputs { phi, phi_q, curvature, phi_h, force_h, rate_q, rate_h } =
+            outputs(kind, &state);
         for output in [phi, phi_q, curvature, phi_h, force_h, rate_q, rate_h] {
-            assert!(
-                output.iter().all(|value| value.is_finite()),
-                "{}",
-                shape.name
-            );
+            assert!(output.iter().all(|value| value.is_finite()), "{}", shape.name);
         }
     });
 }
@@ -460,11 +376,7 @@ fn names_and_patterns_are_consistent() {
         };
         assert!(inside(shape.jacobian, shape.equations, columns));
         assert!(inside(shape.curvature, columns, columns));
-        assert!(inside(
-            shape.design,
-            shape.equations,
-            shape.parameter_count()
-        ));
+        assert!(inside(shape.design, shape.equations, shape.parameter_count()));
         let mut offset = 0;
         for parameter in shape.parameters {
             assert_eq!(parameter.offset, offset, "{}", shape.name);

@@ -19,40 +19,19 @@ fn arm() -> (Mechanism, BodyId) {
 #[test]
 fn names_are_unique_and_not_empty() {
     let (mut m, arm) = arm();
-    let duplicate = |what, name: &str| MechanismError::DuplicateName {
-        what,
-        name: name.into(),
-    };
+    let duplicate = |what, name: &str| MechanismError::DuplicateName { what, name: name.into() };
     assert_eq!(m.add_body("arm", [0.0; 3]), Err(duplicate("body", "arm")));
-    assert_eq!(
-        m.add_body("chassis", [0.0; 3]),
-        Err(duplicate("body", "chassis"))
-    );
-    assert_eq!(
-        m.add_point("outer", [0.0; 3]),
-        Err(duplicate("point", "outer"))
-    );
+    assert_eq!(m.add_body("chassis", [0.0; 3]), Err(duplicate("body", "chassis")));
+    assert_eq!(m.add_point("outer", [0.0; 3]), Err(duplicate("point", "outer")));
     let at = m.point_named("outer").unwrap();
     let ball = JointKind::Spherical { at };
     m.add_joint("ball", GROUND, arm, ball).unwrap();
-    assert_eq!(
-        m.add_joint("ball", GROUND, arm, ball),
-        Err(duplicate("joint", "ball"))
-    );
+    assert_eq!(m.add_joint("ball", GROUND, arm, ball), Err(duplicate("joint", "ball")));
     let height = DriverKind::Height { at };
     m.add_driver("lift", GROUND, arm, height).unwrap();
-    assert_eq!(
-        m.add_driver("lift", GROUND, arm, height),
-        Err(duplicate("driver", "lift"))
-    );
-    assert_eq!(
-        m.add_point(" ", [0.0; 3]),
-        Err(MechanismError::EmptyName { what: "point" })
-    );
-    assert_eq!(
-        (m.joints().len(), m.drivers().len(), m.bodies().len()),
-        (1, 1, 2)
-    );
+    assert_eq!(m.add_driver("lift", GROUND, arm, height), Err(duplicate("driver", "lift")));
+    assert_eq!(m.add_point(" ", [0.0; 3]), Err(MechanismError::EmptyName { what: "point" }));
+    assert_eq!((m.joints().len(), m.drivers().len(), m.bodies().len()), (1, 1, 2));
 }
 
 #[test]
@@ -64,78 +43,34 @@ fn every_mistake_is_named_with_its_place() {
     let mut messages = vec![
         m.add_body("b", [f64::NAN, 0.0, 0.0]).unwrap_err(),
         m.add_point("p", [0.0, f64::INFINITY, 0.0]).unwrap_err(),
-        m.add_joint("j", arm, arm, JointKind::Fixed { at: pivot })
+        m.add_joint("j", arm, arm, JointKind::Fixed { at: pivot }).unwrap_err(),
+        m.add_joint("j", GROUND, arm, JointKind::Link { on_i: outer, on_j: same }).unwrap_err(),
+        m.add_driver("d", GROUND, GROUND, DriverKind::Height { at: outer }).unwrap_err(),
+        m.add_driver("d", arm, GROUND, DriverKind::Height { at: outer }).unwrap_err(),
+        m.add_driver("d", arm, arm, DriverKind::Rotation { axis: y }).unwrap_err(),
+        m.add_driver("d", GROUND, arm, DriverKind::Length { on_i: outer, on_j: outer })
             .unwrap_err(),
-        m.add_joint(
-            "j",
-            GROUND,
-            arm,
-            JointKind::Link {
-                on_i: outer,
-                on_j: same,
-            },
-        )
-        .unwrap_err(),
-        m.add_driver("d", GROUND, GROUND, DriverKind::Height { at: outer })
-            .unwrap_err(),
-        m.add_driver("d", arm, GROUND, DriverKind::Height { at: outer })
-            .unwrap_err(),
-        m.add_driver("d", arm, arm, DriverKind::Rotation { axis: y })
-            .unwrap_err(),
-        m.add_driver(
-            "d",
-            GROUND,
-            arm,
-            DriverKind::Length {
-                on_i: outer,
-                on_j: outer,
-            },
-        )
-        .unwrap_err(),
     ];
-    for axis in [
-        zero,
-        Direction::Between(outer, same),
-        Direction::Fixed([f64::NAN, 0.0, 0.0]),
-    ] {
+    for axis in [zero, Direction::Between(outer, same), Direction::Fixed([f64::NAN, 0.0, 0.0])] {
         let joint = JointKind::Revolute { at: pivot, axis };
         messages.push(m.add_joint("j", GROUND, arm, joint).unwrap_err());
-        messages.push(
-            m.add_driver("d", GROUND, arm, DriverKind::Rotation { axis })
-                .unwrap_err(),
-        );
+        messages.push(m.add_driver("d", GROUND, arm, DriverKind::Rotation { axis }).unwrap_err());
     }
     let vertical = Direction::Fixed([0.0, 0.0, 2.0]);
     for (spin, radius) in [(y, 0.0), (y, -0.3), (y, f64::NAN), (vertical, 0.3)] {
-        let patch = DriverKind::PatchHeight {
-            center: outer,
-            spin,
-            radius,
-        };
+        let patch = DriverKind::PatchHeight { center: outer, spin, radius };
         messages.push(m.add_driver("d", GROUND, arm, patch).unwrap_err());
     }
     // Identifiers of a larger mechanism.
     let mut other = m.clone();
     let far = other.add_body("far", [0.0; 3]).unwrap();
     let point = other.add_point("far", [0.0; 3]).unwrap();
-    messages.push(
-        m.add_joint("j", GROUND, far, JointKind::Fixed { at: pivot })
-            .unwrap_err(),
-    );
-    messages.push(
-        m.add_joint("j", GROUND, arm, JointKind::Fixed { at: point })
-            .unwrap_err(),
-    );
+    messages.push(m.add_joint("j", GROUND, far, JointKind::Fixed { at: pivot }).unwrap_err());
+    messages.push(m.add_joint("j", GROUND, arm, JointKind::Fixed { at: point }).unwrap_err());
     let axis = Direction::Between(pivot, point);
-    messages.push(
-        m.add_driver("d", GROUND, arm, DriverKind::Rotation { axis })
-            .unwrap_err(),
-    );
+    messages.push(m.add_driver("d", GROUND, arm, DriverKind::Rotation { axis }).unwrap_err());
 
-    assert!(
-        m.joints().is_empty() && m.drivers().is_empty(),
-        "a refused part was added"
-    );
+    assert!(m.joints().is_empty() && m.drivers().is_empty(), "a refused part was added");
     let expected = [
         "body `b` has a number that is not finite (NaN); give a finite number",
         "point `p` has a number that is not finite (inf); give a finite number",
@@ -167,20 +102,12 @@ fn every_mistake_is_named_with_its_place() {
 fn equations_have_names_that_a_user_knows() {
     let (mut m, arm) = arm();
     let at = m.point_named("outer").unwrap();
-    m.add_joint("ball", GROUND, arm, JointKind::Spherical { at })
-        .unwrap();
-    let link = JointKind::Link {
-        on_i: m.point_named("pivot").unwrap(),
-        on_j: at,
-    };
+    m.add_joint("ball", GROUND, arm, JointKind::Spherical { at }).unwrap();
+    let link = JointKind::Link { on_i: m.point_named("pivot").unwrap(), on_j: at };
     m.add_joint("rod", GROUND, arm, link).unwrap();
-    let lift = m
-        .add_driver("lift", GROUND, arm, DriverKind::Height { at })
-        .unwrap();
+    let lift = m.add_driver("lift", GROUND, arm, DriverKind::Height { at }).unwrap();
     let expansion = Expansion::new(&m);
-    let labels: Vec<_> = (0..expansion.equation_count())
-        .map(|k| expansion.label(k))
-        .collect();
+    let labels: Vec<_> = (0..expansion.equation_count()).map(|k| expansion.label(k)).collect();
     assert_eq!(
         labels,
         [
@@ -210,39 +137,20 @@ fn parameters_have_exact_derivatives_with_respect_to_points() {
         ("universal", JointKind::Universal { at: b, shaft: axis }),
         ("translational", JointKind::Translational { at: b, axis }),
         ("link", JointKind::Link { on_i: a, on_j: b }),
-        (
-            "plane",
-            JointKind::InPlane {
-                at: a,
-                normal: axis,
-            },
-        ),
+        ("plane", JointKind::InPlane { at: a, normal: axis }),
     ] {
         m.add_joint(name, GROUND, arm, kind).unwrap();
     }
-    let patch = DriverKind::PatchHeight {
-        center: a,
-        spin: axis,
-        radius: 0.3,
-    };
+    let patch = DriverKind::PatchHeight { center: a, spin: axis, radius: 0.3 };
     m.add_driver("patch", GROUND, arm, patch).unwrap();
-    m.add_driver("turn", GROUND, arm, DriverKind::Rotation { axis })
-        .unwrap();
-    m.add_driver(
-        "length",
-        GROUND,
-        arm,
-        DriverKind::Length { on_i: b, on_j: a },
-    )
-    .unwrap();
+    m.add_driver("turn", GROUND, arm, DriverKind::Rotation { axis }).unwrap();
+    m.add_driver("length", GROUND, arm, DriverKind::Length { on_i: b, on_j: a }).unwrap();
     let expansion = Expansion::new(&m);
     let positions = m.positions();
     for point in 0..positions.len() {
         for axis in 0..3 {
-            let mut dual: Vec<[Dual; 3]> = positions
-                .iter()
-                .map(|p| p.map(|c| Dual::new(c, 0.0)))
-                .collect();
+            let mut dual: Vec<[Dual; 3]> =
+                positions.iter().map(|p| p.map(|c| Dual::new(c, 0.0))).collect();
             dual[point][axis].derivative = 1.0;
             let exact = expansion.parameters(&dual);
             let at = |step: f64| {

@@ -45,11 +45,9 @@ pub struct Alphabet {
 
 impl Alphabet {
     /// Registers the alphabet.
-    pub fn new() -> Self {
+    pub fn register() -> Self {
         let letters = |letter: &str, count: usize| -> Vec<Symbol> {
-            (0..count)
-                .map(|k| symbol!(format!("hardpoint::{letter}{k}")))
-                .collect()
+            (0..count).map(|k| symbol!(format!("hardpoint::{letter}{k}"))).collect()
         };
         Self {
             coordinates: letters("q", COORDINATES),
@@ -128,10 +126,7 @@ impl Algebra {
 
     /// The intermediates in the order of their making: symbol and meaning.
     pub fn intermediates(&self) -> impl Iterator<Item = (Symbol, &Meaning)> {
-        self.names
-            .iter()
-            .enumerate()
-            .map(|(k, name)| (self.symbol(k), &name.meaning))
+        self.names.iter().enumerate().map(|(k, name)| (self.symbol(k), &name.meaning))
     }
 
     fn symbol(&self, k: usize) -> Symbol {
@@ -165,11 +160,7 @@ impl Algebra {
         let symbol = self.symbol(self.names.len());
         let meaning = Meaning::Polynomial((atom / &factor).expand_num());
         let small = flat.nterms() <= SMALL;
-        let flat = if small {
-            (&flat / &factor).expand()
-        } else {
-            Atom::var(symbol)
-        };
+        let flat = if small { (&flat / &factor).expand() } else { Atom::var(symbol) };
         self.by_flat.insert(key, (symbol, scale / &factor));
         self.push(symbol, meaning, flat);
         factor * Atom::var(symbol)
@@ -184,11 +175,7 @@ impl Algebra {
         }
         let symbol = self.symbol(self.names.len());
         self.by_function.insert(key, symbol);
-        self.push(
-            symbol,
-            Meaning::Function(function, argument),
-            Atom::var(symbol),
-        );
+        self.push(symbol, Meaning::Function(function, argument), Atom::var(symbol));
         Atom::var(symbol)
     }
 
@@ -206,11 +193,7 @@ impl Algebra {
                 flat = substitute(&flat, symbol, &self.names[k].flat);
             }
         }
-        if expanded_terms(flat.as_view()) > LARGE {
-            atom.expand()
-        } else {
-            flat.expand()
-        }
+        if expanded_terms(flat.as_view()) > LARGE { atom.expand() } else { flat.expand() }
     }
 
     /// The total derivative of a polynomial in inputs and intermediates.
@@ -251,8 +234,7 @@ impl Algebra {
                 }
             }
         };
-        self.derivatives
-            .insert((symbol, variable), derivative.clone());
+        self.derivatives.insert((symbol, variable), derivative.clone());
         derivative
     }
 
@@ -276,10 +258,7 @@ impl Algebra {
         };
         let flat = &self.names[k].flat;
         // An opaque intermediate inside depends on the input in its own way.
-        if symbols(flat)
-            .iter()
-            .any(|symbol| self.index.contains_key(symbol))
-        {
+        if symbols(flat).iter().any(|symbol| self.index.contains_key(symbol)) {
             return None;
         }
         let derivative = flat.derivative(input).expand();
@@ -288,9 +267,7 @@ impl Algebra {
         }
         let scale = leading_coefficient(&derivative)?;
         let key = (&derivative / &scale).expand();
-        self.by_flat
-            .get(&key)
-            .map(|(symbol, known)| scale / known * Atom::var(*symbol))
+        self.by_flat.get(&key).map(|(symbol, known)| scale / known * Atom::var(*symbol))
     }
 
     /// f′(x) in terms of the intermediate f(x) itself and others.
@@ -344,10 +321,7 @@ impl Algebra {
         }
         let mut adjoints: Vec<_> = adjoints.into_iter().collect();
         adjoints.sort_by_key(|(symbol, _)| symbol.get_id());
-        adjoints
-            .into_iter()
-            .map(|(symbol, adjoint)| (symbol, self.name(&adjoint)))
-            .collect()
+        adjoints.into_iter().map(|(symbol, adjoint)| (symbol, self.name(&adjoint))).collect()
     }
 
     /// Whether `atom` is zero for all values of the inputs.
@@ -357,16 +331,14 @@ impl Algebra {
 
     /// Whether `atom` depends on a virtual motion.
     pub fn has_virtual_motion(&self, atom: &Atom) -> bool {
-        symbols(atom)
-            .into_iter()
-            .any(|symbol| match self.index.get(&symbol) {
-                None => self.alphabet.virtual_motions.contains(&symbol),
-                Some(&k) => match &self.names[k].meaning {
-                    Meaning::Polynomial(inner) | Meaning::Function(_, inner) => {
-                        self.has_virtual_motion(inner)
-                    }
-                },
-            })
+        symbols(atom).into_iter().any(|symbol| match self.index.get(&symbol) {
+            None => self.alphabet.virtual_motions.contains(&symbol),
+            Some(&k) => match &self.names[k].meaning {
+                Meaning::Polynomial(inner) | Meaning::Function(_, inner) => {
+                    self.has_virtual_motion(inner)
+                }
+            },
+        })
     }
 
     /// The derivative of one input or intermediate.
@@ -396,9 +368,7 @@ fn is_simple(view: AtomView<'_>) -> bool {
         AtomView::Num(_) | AtomView::Var(_) => true,
         AtomView::Mul(product) => {
             product.get_nargs() == 2
-                && product
-                    .iter()
-                    .all(|part| matches!(part, AtomView::Num(_) | AtomView::Var(_)))
+                && product.iter().all(|part| matches!(part, AtomView::Num(_) | AtomView::Var(_)))
                 && product.iter().any(|part| matches!(part, AtomView::Num(_)))
         }
         _ => false,
@@ -407,11 +377,7 @@ fn is_simple(view: AtomView<'_>) -> bool {
 
 /// The coefficient of the first term; `None` for zero.
 fn leading_coefficient(atom: &Atom) -> Option<Atom> {
-    if atom.is_zero() {
-        None
-    } else {
-        atom.terms().next().map(coefficient)
-    }
+    if atom.is_zero() { None } else { atom.terms().next().map(coefficient) }
 }
 
 fn coefficient(term: AtomView<'_>) -> Atom {
@@ -430,28 +396,15 @@ fn common_factor(atom: &Atom) -> Atom {
     let negative = |number: &Atom| number.to_plain_string().starts_with('-');
     let first = leading_coefficient(atom).unwrap_or_else(Atom::one);
     let size = if negative(&first) { -first } else { first };
-    let minus = atom
-        .terms()
-        .filter(|term| negative(&coefficient(*term)))
-        .count();
-    if 2 * minus > atom.terms().count() {
-        -size
-    } else {
-        size
-    }
+    let minus = atom.terms().filter(|term| negative(&coefficient(*term))).count();
+    if 2 * minus > atom.terms().count() { -size } else { size }
 }
 
 /// A bound of the number of terms after expansion.
 fn expanded_terms(view: AtomView<'_>) -> usize {
     match view {
-        AtomView::Add(sum) => sum
-            .iter()
-            .map(expanded_terms)
-            .fold(0, usize::saturating_add),
-        AtomView::Mul(product) => product
-            .iter()
-            .map(expanded_terms)
-            .fold(1, usize::saturating_mul),
+        AtomView::Add(sum) => sum.iter().map(expanded_terms).fold(0, usize::saturating_add),
+        AtomView::Mul(product) => product.iter().map(expanded_terms).fold(1, usize::saturating_mul),
         AtomView::Pow(power) => {
             let (base, exponent) = power.get_base_exp();
             let times = exponent.to_plain_string().parse().unwrap_or(1);

@@ -38,31 +38,26 @@ pub struct Definition {
     pub parameters: Vec<ParameterDefinition>,
 }
 
-/// One parameter of a relation.
+/// One parameter of a relation. What is missing was told as a mistake.
 #[derive(Clone, Debug)]
 pub struct ParameterDefinition {
     /// The name that expressions use.
     pub name: Text,
     /// Number of components: 1 or 3.
-    pub size: usize,
+    pub size: Option<usize>,
     /// SI unit.
-    pub unit: Text,
+    pub unit: Option<Text>,
     /// The frame of the components of a vector.
     pub frame: Option<Text>,
     /// What it is, in words.
-    pub meaning: Text,
+    pub meaning: Option<Text>,
 }
 
-/// Reads the TOML of a relation file.
-///
-/// # Errors
-/// All mistakes of syntax and structure.
-pub fn read(source: &Source) -> Result<Definition, Vec<Mistake>> {
+/// Reads the TOML of a relation file: what could be read of it, and all
+/// mistakes of syntax and structure.
+pub fn read(source: &Source) -> (Option<Definition>, Vec<Mistake>) {
     let (table, errors) = DeTable::parse_recoverable(&source.text);
-    let mut reader = Reader {
-        text: &source.text,
-        mistakes: Vec::new(),
-    };
+    let mut reader = Reader { text: &source.text, mistakes: Vec::new() };
     for error in errors {
         reader.report(
             error.span().unwrap_or(0..0),
@@ -70,13 +65,9 @@ pub fn read(source: &Source) -> Result<Definition, Vec<Mistake>> {
             "write the file as constraints/README.md shows",
         );
     }
-    if reader.mistakes.is_empty() {
-        let definition = reader.definition(&table);
-        if reader.mistakes.is_empty() {
-            return definition.ok_or_else(Vec::new);
-        }
-    }
-    Err(reader.mistakes)
+    // After a mistake of syntax the tables that were read may not be those that were meant.
+    let definition = if reader.mistakes.is_empty() { reader.definition(&table) } else { None };
+    (definition, reader.mistakes)
 }
 
 struct Reader<'a> {
@@ -105,10 +96,7 @@ impl Reader<'_> {
         let whole = 0..self.text.lines().next().map_or(0, str::len);
         let table = table.get_ref();
         self.known_keys(table, &keys, "a relation file");
-        match table
-            .get("format")
-            .map(|value| (value.get_ref().as_integer(), value.span()))
-        {
+        match table.get("format").map(|value| (value.get_ref().as_integer(), value.span())) {
             Some((Some(format), _)) if format.as_str() == FORMAT => {}
             Some((_, span)) => self.report(
                 span,
@@ -123,31 +111,19 @@ impl Reader<'_> {
         }
         let [title, equation, reference, residual] = ["title", "equation", "reference", "residual"]
             .map(|key| self.required(table, key, &whole, "the file"));
-        let work = table
-            .get("work")
-            .and_then(|value| self.string(value, "work"));
-        let definitions = self
-            .table(table, "definitions")
-            .map_or_else(Vec::new, |table| {
-                table
-                    .iter()
-                    .filter_map(|(key, value)| {
-                        let name = Text {
-                            text: key.get_ref().to_string(),
-                            span: key.span(),
-                        };
-                        self.string(value, &name.text).map(|text| (name, text))
-                    })
-                    .collect()
-            });
-        let parameters = self
-            .table(table, "parameters")
-            .map_or_else(Vec::new, |table| {
-                table
-                    .iter()
-                    .filter_map(|(key, value)| self.parameter(key, value))
-                    .collect()
-            });
+        let work = table.get("work").and_then(|value| self.string(value, "work"));
+        let definitions = self.table(table, "definitions").map_or_else(Vec::new, |table| {
+            table
+                .iter()
+                .filter_map(|(key, value)| {
+                    let name = Text { text: key.get_ref().to_string(), span: key.span() };
+                    self.string(value, &name.text).map(|text| (name, text))
+                })
+                .collect()
+        });
+        let parameters = self.table(table, "parameters").map_or_else(Vec::new, |table| {
+            table.iter().map(|(key, value)| self.parameter(key, value)).collect()
+        });
         Some(Definition {
             title: title?,
             equation: equation?,
@@ -163,18 +139,21 @@ impl Reader<'_> {
         &mut self,
         key: &Spanned<impl ToString>,
         value: &Spanned<DeValue<'_>>,
-    ) -> Option<ParameterDefinition> {
-        let name = Text {
-            text: key.get_ref().to_string(),
-            span: key.span(),
-        };
+    ) -> ParameterDefinition {
+        let name = Text { text: key.get_ref().to_string(), span: key.span() };
         let Some(table) = value.get_ref().as_table() else {
             self.report(
                 value.span(),
                 format!("parameter `{}` is not described by a table", name.text),
                 "write `{ shape = 3, unit = \"m\", frame = \"body i\", meaning = \"…\" }`",
             );
-            return None;
+            return ParameterDefinition {
+                name,
+                size: None,
+                unit: None,
+                frame: None,
+                meaning: None,
+            };
         };
         self.known_keys(table, &["shape", "unit", "frame", "meaning"], "a parameter");
         let what = format!("parameter `{}`", name.text);
@@ -187,13 +166,13 @@ impl Reader<'_> {
                 );
                 None
             }
-            Some(shape) => match shape.get_ref().as_integer().map(|number| number.as_str()) {
+            Some(shape) => match shape.get_ref().as_integer().map(toml::de::DeInteger::as_str) {
                 Some("1") => Some(1),
                 Some("3") => Some(3),
                 _ => {
                     self.report(
                         shape.span(),
-                        "a parameter has this shape",
+                        "the shape of a parameter is 1 or 3",
                         "write `shape = 1` for a number or `shape = 3` for a vector",
                     );
                     None
@@ -202,16 +181,8 @@ impl Reader<'_> {
         };
         let [unit, meaning] =
             ["unit", "meaning"].map(|field| self.required(table, field, &key.span(), &what));
-        let frame = table
-            .get("frame")
-            .and_then(|value| self.string(value, "frame"));
-        Some(ParameterDefinition {
-            name,
-            size: size?,
-            unit: unit?,
-            frame,
-            meaning: meaning?,
-        })
+        let frame = table.get("frame").and_then(|value| self.string(value, "frame"));
+        ParameterDefinition { name, size, unit, frame, meaning }
     }
 
     fn known_keys(&mut self, table: &Table<'_>, known: &[&str], what: &str) {
@@ -231,11 +202,7 @@ impl Reader<'_> {
         let value = table.get(key)?;
         let found = value.get_ref().as_table();
         if found.is_none() {
-            self.report(
-                value.span(),
-                format!("`{key}` is not a table"),
-                "write it as a table",
-            );
+            self.report(value.span(), format!("`{key}` is not a table"), "write it as a table");
         }
         found
     }
@@ -254,11 +221,7 @@ impl Reader<'_> {
         };
         let text = self.string(value, key)?;
         if text.text.trim().is_empty() {
-            self.report(
-                value.span(),
-                format!("`{key}` is empty"),
-                "say it in a few words",
-            );
+            self.report(value.span(), format!("`{key}` is empty"), "say it in a few words");
             return None;
         }
         Some(text)
@@ -267,21 +230,13 @@ impl Reader<'_> {
     fn string(&mut self, value: &Spanned<DeValue<'_>>, key: &str) -> Option<Text> {
         let span = value.span();
         let Some(text) = value.get_ref().as_str() else {
-            self.report(
-                span,
-                format!("`{key}` is not a string"),
-                "put it in double quotes",
-            );
+            self.report(span, format!("`{key}` is not a string"), "put it in double quotes");
             return None;
         };
         // Positions inside an expression are positions in the file only where
         // the file holds the very characters of the value.
         let raw = &self.text[span.clone()];
-        let quote = if raw.starts_with("\"\"\"") || raw.starts_with("'''") {
-            3
-        } else {
-            1
-        };
+        let quote = if raw.starts_with("\"\"\"") || raw.starts_with("'''") { 3 } else { 1 };
         let inner = &raw[quote..raw.len() - quote];
         let skipped = if quote == 3 && inner.starts_with("\r\n") {
             2
@@ -289,18 +244,11 @@ impl Reader<'_> {
             usize::from(quote == 3 && inner.starts_with('\n'))
         };
         if inner[skipped..] != *text {
-            self.report(
-                span,
-                format!("`{key}` has an escape"),
-                "write it without a backslash",
-            );
+            self.report(span, format!("`{key}` has an escape"), "write it without a backslash");
             return None;
         }
         let start = span.start + quote + skipped;
-        Some(Text {
-            text: text.to_owned(),
-            span: start..start + text.len(),
-        })
+        Some(Text { text: text.to_owned(), span: start..start + text.len() })
     }
 }
 

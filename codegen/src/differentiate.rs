@@ -49,10 +49,7 @@ pub enum Flaw {
 /// # Errors
 /// What makes its equations unusable.
 pub fn differentiate(relation: &Relation, alphabet: &Alphabet) -> Result<Derived, Vec<Flaw>> {
-    let mut lowering = Lowering {
-        algebra: Algebra::new(alphabet.clone()),
-        names: HashMap::new(),
-    };
+    let mut lowering = Lowering { algebra: Algebra::new(alphabet.clone()), names: HashMap::new() };
     lowering.parameters(relation);
     for (name, expression) in &relation.definitions {
         let value = lowering.lower(expression);
@@ -60,10 +57,7 @@ pub fn differentiate(relation: &Relation, alphabet: &Alphabet) -> Result<Derived
         lowering.names.insert(name.clone(), value);
     }
     let residual = lowering.lower(&relation.residual).components();
-    let work = relation
-        .work
-        .as_ref()
-        .map(|work| lowering.lower(work).components());
+    let work = relation.work.as_ref().map(|work| lowering.lower(work).components());
     derive(relation, lowering.algebra, residual, work.as_deref())
 }
 
@@ -75,11 +69,7 @@ fn derive(
 ) -> Result<Derived, Vec<Flaw>> {
     let alphabet = algebra.alphabet.clone();
     let coordinates = inputs(&alphabet.coordinates[..7 * relation.bodies]);
-    let parameters: usize = relation
-        .parameters
-        .iter()
-        .map(|parameter| parameter.size)
-        .sum();
+    let parameters: usize = relation.parameters.iter().map(|parameter| parameter.size).sum();
     let parameters = inputs(&alphabet.parameters[..parameters]);
     let rows = residual.len();
 
@@ -102,10 +92,7 @@ fn derive(
                     .collect();
                 Atom::add_many(terms)
             };
-            coordinates
-                .iter()
-                .map(|&variable| entry(variable))
-                .collect()
+            coordinates.iter().map(|&variable| entry(variable)).collect()
         }
         Some(entries) => (0..coordinates.len())
             .map(|column| {
@@ -122,10 +109,8 @@ fn derive(
     }
     let design = rows_by_columns(&mut algebra, &residual, &parameters);
     let force_design = rows_by_columns(&mut algebra, &force, &parameters);
-    let velocity: Vec<Atom> = residual
-        .iter()
-        .map(|phi| algebra.derivative(phi, Variable::Motion))
-        .collect();
+    let velocity: Vec<Atom> =
+        residual.iter().map(|phi| algebra.derivative(phi, Variable::Motion)).collect();
     let rate = rows_by_columns(&mut algebra, &velocity, &coordinates);
     let rate_design = rows_by_columns(&mut algebra, &velocity, &parameters);
     Ok(Derived {
@@ -142,18 +127,11 @@ fn derive(
 }
 
 fn inputs(symbols: &[Symbol]) -> Vec<Variable> {
-    symbols
-        .iter()
-        .map(|&symbol| Variable::Input(symbol))
-        .collect()
+    symbols.iter().map(|&symbol| Variable::Input(symbol)).collect()
 }
 
 fn contract(rows: &[Atom], multipliers: &[Symbol]) -> Atom {
-    Atom::add_many(
-        rows.iter()
-            .zip(multipliers)
-            .map(|(row, &lambda)| row * Atom::var(lambda)),
-    )
+    Atom::add_many(rows.iter().zip(multipliers).map(|(row, &lambda)| row * Atom::var(lambda)))
 }
 
 fn rows_by_columns(algebra: &mut Algebra, rows: &[Atom], columns: &[Variable]) -> Entries {
@@ -227,9 +205,7 @@ impl Value {
             Self::Scalar(scalar) => Self::Scalar(map(scalar)),
             Self::Vector(vector) => Self::Vector(vector.into_iter().map(map).collect()),
             Self::Matrix(rows) => Self::Matrix(
-                rows.into_iter()
-                    .map(|row| row.into_iter().map(&mut map).collect())
-                    .collect(),
+                rows.into_iter().map(|row| row.into_iter().map(&mut map).collect()).collect(),
             ),
             Self::Rotation { .. } => unreachable!("rotations are made explicit first"),
         }
@@ -248,12 +224,7 @@ impl Lowering {
             let value = if parameter.size == 1 {
                 Value::Scalar(Atom::var(symbols[0]))
             } else {
-                Value::Vector(
-                    symbols[..3]
-                        .iter()
-                        .map(|&symbol| Atom::var(symbol))
-                        .collect(),
-                )
+                Value::Vector(symbols[..3].iter().map(|&symbol| Atom::var(symbol)).collect())
             };
             self.names.insert(parameter.name.clone(), value);
         }
@@ -272,18 +243,12 @@ impl Lowering {
         let body = usize::from(body == "j");
         let alphabet = &self.algebra.alphabet;
         let slice = |symbols: &[Symbol], from: usize, to: usize| -> Vec<Atom> {
-            symbols[7 * body + from..7 * body + to]
-                .iter()
-                .map(|&s| Atom::var(s))
-                .collect()
+            symbols[7 * body + from..7 * body + to].iter().map(|&s| Atom::var(s)).collect()
         };
         Some(match stem {
             "r" => Value::Vector(slice(&alphabet.coordinates, 0, 3)),
             "p" => Value::Vector(slice(&alphabet.coordinates, 3, 7)),
-            "A" => Value::Rotation {
-                body,
-                transposed: false,
-            },
+            "A" => Value::Rotation { body, transposed: false },
             "delta_r" => Value::Vector(slice(&alphabet.virtual_motions, 0, 3)),
             "delta_theta" => {
                 let p = slice(&alphabet.coordinates, 3, 7);
@@ -311,22 +276,13 @@ impl Lowering {
             .iter()
             .map(|&symbol| Atom::var(symbol))
             .collect();
-        let e: Vec<Atom> = p[1..]
-            .iter()
-            .map(|e| if transposed { -e } else { e.clone() })
-            .collect();
+        let e: Vec<Atom> = p[1..].iter().map(|e| if transposed { -e } else { e.clone() }).collect();
         let d = self.algebra.name(&dot(&e, s));
         let turned = cross(&e, s);
-        let c: Vec<Atom> = (0..3)
-            .map(|k| self.algebra.name(&(&p[0] * &s[k] + &turned[k])))
-            .collect();
+        let c: Vec<Atom> =
+            (0..3).map(|k| self.algebra.name(&(&p[0] * &s[k] + &turned[k]))).collect();
         let turned = cross(&e, &c);
-        (0..3)
-            .map(|k| {
-                self.algebra
-                    .name(&(&p[0] * &c[k] + &d * &e[k] + &turned[k]))
-            })
-            .collect()
+        (0..3).map(|k| self.algebra.name(&(&p[0] * &c[k] + &d * &e[k] + &turned[k]))).collect()
     }
 
     fn times(&mut self, matrix: &Value, vector: &[Atom]) -> Vec<Atom> {
@@ -369,21 +325,15 @@ impl Lowering {
                 self.binary(*operator, left, right)
             }
             Kind::Call(name, arguments) => {
-                let arguments = arguments
-                    .iter()
-                    .map(|argument| self.lower(argument))
-                    .collect();
+                let arguments = arguments.iter().map(|argument| self.lower(argument)).collect();
                 self.call(name, arguments)
             }
             Kind::Component(inner, component) => {
                 Value::Scalar(self.lower(inner).components()[*component].clone())
             }
-            Kind::List(parts) => Value::Vector(
-                parts
-                    .iter()
-                    .flat_map(|part| self.lower(part).components())
-                    .collect(),
-            ),
+            Kind::List(parts) => {
+                Value::Vector(parts.iter().flat_map(|part| self.lower(part).components()).collect())
+            }
         }
     }
 
@@ -414,10 +364,8 @@ impl Lowering {
                     let Value::Matrix(rows) = self.explicit(other) else {
                         unreachable!("shapes were checked")
                     };
-                    let columns: Vec<_> = transpose(&rows)
-                        .iter()
-                        .map(|column| self.times(&matrix, column))
-                        .collect();
+                    let columns: Vec<_> =
+                        transpose(&rows).iter().map(|column| self.times(&matrix, column)).collect();
                     Value::Matrix(transpose(&columns))
                 }
             },
@@ -430,11 +378,7 @@ impl Lowering {
 
     fn call(&mut self, name: &str, arguments: Vec<Value>) -> Value {
         let mut arguments = arguments.into_iter();
-        let mut next = || {
-            arguments
-                .next()
-                .unwrap_or_else(|| unreachable!("arity was checked"))
-        };
+        let mut next = || arguments.next().unwrap_or_else(|| unreachable!("arity was checked"));
         match name {
             "dot" => Value::Scalar(dot(&next().components(), &next().components())),
             "cross" => Value::Vector(cross(&next().components(), &next().components())),
@@ -443,10 +387,9 @@ impl Lowering {
                 Value::Scalar(self.algebra.apply(Function::Root, &dot(&vector, &vector)))
             }
             "transpose" => match next() {
-                Value::Rotation { body, transposed } => Value::Rotation {
-                    body,
-                    transposed: !transposed,
-                },
+                Value::Rotation { body, transposed } => {
+                    Value::Rotation { body, transposed: !transposed }
+                }
                 Value::Matrix(rows) => Value::Matrix(transpose(&rows)),
                 _ => unreachable!("shapes were checked"),
             },
@@ -472,7 +415,5 @@ fn cross(a: &[Atom], b: &[Atom]) -> Vec<Atom> {
 }
 
 fn transpose(rows: &[Vec<Atom>]) -> Vec<Vec<Atom>> {
-    (0..3)
-        .map(|column| rows.iter().map(|row| row[column].clone()).collect())
-        .collect()
+    (0..3).map(|column| rows.iter().map(|row| row[column].clone()).collect()).collect()
 }

@@ -56,17 +56,13 @@ pub fn module(kernel: &Kernel, alphabet: &Alphabet) -> TokenStream {
 
 /// The list of all relations.
 pub fn index(kernels: &[Kernel]) -> TokenStream {
-    let files = kernels
-        .iter()
-        .map(|kernel| format!("{}.rs", kernel.relation.name));
+    let files = kernels.iter().map(|kernel| format!("{}.rs", kernel.relation.name));
     let kinds: Vec<_> = kernels
         .iter()
         .map(|kernel| format_ident!("{}", type_name(&kernel.relation.name)))
         .collect();
-    let modules: Vec<_> = kernels
-        .iter()
-        .map(|kernel| format_ident!("{}", kernel.relation.name))
-        .collect();
+    let modules: Vec<_> =
+        kernels.iter().map(|kernel| format_ident!("{}", kernel.relation.name)).collect();
     let names: Vec<_> = kernels.iter().map(|kernel| &kernel.relation.name).collect();
     let docs = kernels
         .iter()
@@ -128,11 +124,7 @@ fn module_docs(kernel: &Kernel) -> Vec<String> {
         let range = if parameter.size == 1 {
             parameter.offset.to_string()
         } else {
-            format!(
-                "{}..{}",
-                parameter.offset,
-                parameter.offset + parameter.size
-            )
+            format!("{}..{}", parameter.offset, parameter.offset + parameter.size)
         };
         docs.push(format!(
             " | {range} | `{}` | {} | {} | {} |",
@@ -159,15 +151,7 @@ fn shape(kernel: &Kernel) -> TokenStream {
             }
         }
     });
-    let [
-        jacobian,
-        work,
-        curvature,
-        design,
-        force_design,
-        rate,
-        rate_design,
-    ] = [
+    let [jacobian, work, curvature, design, force_design, rate, rate_design] = [
         &kernel.jacobian,
         &kernel.work,
         &kernel.curvature,
@@ -178,12 +162,7 @@ fn shape(kernel: &Kernel) -> TokenStream {
     ]
     .map(pattern);
     let operations = kernel.programs.iter().map(|program| {
-        let Operations {
-            additions,
-            multiplications,
-            divisions,
-            functions,
-        } = program.operations();
+        let Operations { additions, multiplications, divisions, functions } = program.operations();
         let [additions, multiplications, divisions, functions] =
             [additions, multiplications, divisions, functions].map(Literal::usize_unsuffixed);
         quote! {
@@ -217,10 +196,7 @@ fn shape(kernel: &Kernel) -> TokenStream {
 
 fn pattern(pattern: &Pattern) -> TokenStream {
     let entries = pattern.iter().map(|&(row, column)| {
-        let (row, column) = (
-            Literal::usize_unsuffixed(row),
-            Literal::usize_unsuffixed(column),
-        );
+        let (row, column) = (Literal::usize_unsuffixed(row), Literal::usize_unsuffixed(column));
         quote!((#row, #column))
     });
     quote!(&[#(#entries),*])
@@ -240,30 +216,17 @@ fn outputs(kernel: &Kernel) -> [Vec<Argument>; 5] {
     [
         vec![residual()],
         vec![residual(), jacobian(), work()],
-        vec![
-            residual(),
-            jacobian(),
-            work(),
-            argument("curvature", kernel.curvature.len()),
-        ],
+        vec![residual(), jacobian(), work(), argument("curvature", kernel.curvature.len())],
         vec![
             argument("phi_h", kernel.design.len()),
             argument("force_h", kernel.force_design.len()),
         ],
-        vec![
-            argument("rate_q", kernel.rate.len()),
-            argument("rate_h", kernel.rate_design.len()),
-        ],
+        vec![argument("rate_q", kernel.rate.len()), argument("rate_h", kernel.rate_design.len())],
     ]
 }
 
-const MEANINGS: [&str; 5] = [
-    "Φ",
-    "Φ, Φ_q and W",
-    "Φ, Φ_q, W and (Wᵀλ)_q",
-    "Φ_h and (Wᵀλ)_h",
-    "(Φ_q v)_q and (Φ_q v)_h",
-];
+const MEANINGS: [&str; 5] =
+    ["Φ", "Φ, Φ_q and W", "Φ, Φ_q, W and (Wᵀλ)_q", "Φ_h and (Wᵀλ)_h", "(Φ_q v)_q and (Φ_q v)_h"];
 
 fn functions(kernel: &Kernel, alphabet: &Alphabet) -> Vec<TokenStream> {
     let parameters: usize = kernel.relation.parameters.iter().map(|p| p.size).sum();
@@ -281,11 +244,7 @@ fn functions(kernel: &Kernel, alphabet: &Alphabet) -> Vec<TokenStream> {
                     .nodes
                     .iter()
                     .any(|node| matches!(node, Node::Input(symbol) if names[symbol].0 == name));
-                let ident = if used {
-                    format_ident!("{name}")
-                } else {
-                    format_ident!("_{name}")
-                };
+                let ident = if used { format_ident!("{name}") } else { format_ident!("_{name}") };
                 let size = Literal::usize_unsuffixed(size);
                 arguments.push(quote!(#ident: &[S; #size]));
             }
@@ -359,19 +318,11 @@ fn implementation(kernel: &Kernel) -> TokenStream {
             quote!(exact_mut(#ident))
         });
         // The curvature kernel has an argument of its own name.
-        let path = if k == 2 {
-            quote!(self::#name)
-        } else {
-            quote!(#name)
-        };
+        let path = if k == 2 { quote!(self::#name) } else { quote!(#name) };
         quote!(#path(#(#inputs,)* #(#outputs),*);)
     };
     let [residual, jacobian, curvature, design, rate] = [0, 1, 2, 3, 4].map(call);
-    let v_j = if kernel.relation.bodies == 2 {
-        quote!(v_j)
-    } else {
-        quote!(_v_j)
-    };
+    let v_j = if kernel.relation.bodies == 2 { quote!(v_j) } else { quote!(_v_j) };
     quote! {
         impl<S: Scalar> Relation<S> for #kind {
             fn shape(&self) -> &'static Shape {
@@ -425,19 +376,13 @@ fn implementation(kernel: &Kernel) -> TokenStream {
 
 fn input_names(alphabet: &Alphabet) -> HashMap<Symbol, (&'static str, usize)> {
     let mut names = HashMap::new();
-    let bodies = [
-        (&alphabet.coordinates, ["q_i", "q_j"]),
-        (&alphabet.velocities, ["v_i", "v_j"]),
-    ];
+    let bodies = [(&alphabet.coordinates, ["q_i", "q_j"]), (&alphabet.velocities, ["v_i", "v_j"])];
     for (symbols, arrays) in bodies {
         for (k, &symbol) in symbols.iter().enumerate() {
             names.insert(symbol, (arrays[k / 7], k % 7));
         }
     }
-    for (symbols, array) in [
-        (&alphabet.parameters, "h"),
-        (&alphabet.multipliers, "lambda"),
-    ] {
+    for (symbols, array) in [(&alphabet.parameters, "h"), (&alphabet.multipliers, "lambda")] {
         for (k, &symbol) in symbols.iter().enumerate() {
             names.insert(symbol, (array, k));
         }
@@ -463,21 +408,13 @@ struct Piece {
 
 impl Piece {
     fn whole(tokens: TokenStream) -> Self {
-        Self {
-            tokens,
-            binding: Binding::Whole,
-            operations: 0,
-        }
+        Self { tokens, binding: Binding::Whole, operations: 0 }
     }
 
     /// The tokens, in parentheses where they bind less tightly than `least`.
     fn within(&self, least: Binding) -> TokenStream {
         let tokens = &self.tokens;
-        if self.binding < least {
-            quote!((#tokens))
-        } else {
-            tokens.clone()
-        }
+        if self.binding < least { quote!((#tokens)) } else { tokens.clone() }
     }
 }
 
@@ -488,16 +425,10 @@ fn body(
 ) -> TokenStream {
     let mut uses = vec![0_usize; program.nodes.len()];
     for node in &program.nodes {
-        arguments(*node)
-            .into_iter()
-            .flatten()
-            .for_each(|argument| uses[argument] += 1);
+        arguments(*node).into_iter().flatten().for_each(|argument| uses[argument] += 1);
     }
     let mut written = vec![0_usize; program.nodes.len()];
-    program
-        .outputs
-        .iter()
-        .for_each(|&output| written[output] += 1);
+    program.outputs.iter().for_each(|&output| written[output] += 1);
     let mut statements = Vec::new();
     let mut constants: Vec<(i64, i64)> = Vec::new();
     let mut pieces: Vec<Piece> = Vec::with_capacity(program.nodes.len());
@@ -550,11 +481,8 @@ fn constant_name(constant: (i64, i64)) -> proc_macro2::Ident {
         (1, 2) => format_ident!("half"),
         (numerator, denominator) => {
             let sign = if numerator < 0 { "minus_" } else { "" };
-            let over = if denominator == 1 {
-                String::new()
-            } else {
-                format!("_over_{denominator}")
-            };
+            let over =
+                if denominator == 1 { String::new() } else { format!("_over_{denominator}") };
             format_ident!("{sign}k{}{over}", numerator.unsigned_abs())
         }
     }
@@ -576,10 +504,7 @@ fn piece(
     let joined = |tokens, binding, parts: &[NodeId]| Piece {
         tokens,
         binding,
-        operations: 1 + parts
-            .iter()
-            .map(|&part| pieces[part].operations)
-            .sum::<usize>(),
+        operations: 1 + parts.iter().map(|&part| pieces[part].operations).sum::<usize>(),
     };
     match node {
         Node::Input(symbol) => {
@@ -597,10 +522,8 @@ fn piece(
             joined(quote!(#left - #right), Binding::Sum, &[a, b])
         }
         Node::Multiply(a, b) => {
-            let (left, right) = (
-                pieces[a].within(Binding::Product),
-                pieces[b].within(Binding::Sign),
-            );
+            let (left, right) =
+                (pieces[a].within(Binding::Product), pieces[b].within(Binding::Sign));
             joined(quote!(#left * #right), Binding::Product, &[a, b])
         }
         Node::Negate(a) => {

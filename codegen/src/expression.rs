@@ -70,10 +70,7 @@ pub fn parse(text: &Text) -> Result<Expression, Vec<Mistake>> {
         let start = (text.span.start + range.start).min(text.span.end);
         start..(text.span.start + range.end).min(text.span.end)
     };
-    let foreign = text
-        .text
-        .char_indices()
-        .find(|(_, character)| !character.is_ascii());
+    let foreign = text.text.char_indices().find(|(_, character)| !character.is_ascii());
     if let Some((at, character)) = foreign {
         let start = text.span.start + at;
         let help = match character {
@@ -88,11 +85,7 @@ pub fn parse(text: &Text) -> Result<Expression, Vec<Mistake>> {
     let tree: syn::Expr = syn::parse_str(&text.text).map_err(|error| {
         let span = place(error.span());
         let help = "write it like `r_j + A_j * s_j - r_i - A_i * s_i`";
-        vec![Mistake::new(
-            span,
-            format!("this is not an expression: {error}"),
-            help,
-        )]
+        vec![Mistake::new(span, format!("this is not an expression: {error}"), help)]
     })?;
     let mut mistakes = Vec::new();
     let expression = convert(&tree, &place, &mut mistakes);
@@ -160,11 +153,7 @@ fn convert(
                 _ => None,
             };
             let Some(name) = name else {
-                return refuse(
-                    mistakes,
-                    "this cannot be called",
-                    "call a function by its name",
-                );
+                return refuse(mistakes, "this cannot be called", "call a function by its name");
             };
             let arguments = all(call.args.iter(), place, mistakes)?;
             Kind::Call(name, arguments)

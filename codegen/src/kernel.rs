@@ -70,21 +70,12 @@ impl Kernel {
             rate,
             rate_design,
         } = derived;
-        let with_jacobian: Vec<Atom> = residual
-            .iter()
-            .chain(values(&jacobian))
-            .chain(values(&work))
-            .cloned()
-            .collect();
-        let with_curvature: Vec<Atom> = with_jacobian
-            .iter()
-            .chain(values(&curvature))
-            .cloned()
-            .collect();
-        let with_design: Vec<Atom> = values(&design)
-            .chain(values(&force_design))
-            .cloned()
-            .collect();
+        let with_jacobian: Vec<Atom> =
+            residual.iter().chain(values(&jacobian)).chain(values(&work)).cloned().collect();
+        let with_curvature: Vec<Atom> =
+            with_jacobian.iter().chain(values(&curvature)).cloned().collect();
+        let with_design: Vec<Atom> =
+            values(&design).chain(values(&force_design)).cloned().collect();
         let with_rate: Vec<Atom> = values(&rate).chain(values(&rate_design)).cloned().collect();
         let programs = [
             Program::new(&algebra, &residual)?,
@@ -112,8 +103,5 @@ fn values(entries: &Entries) -> impl Iterator<Item = &Atom> {
 }
 
 fn pattern(entries: &Entries) -> Pattern {
-    entries
-        .iter()
-        .map(|&(row, column, _)| (row, column))
-        .collect()
+    entries.iter().map(|&(row, column, _)| (row, column)).collect()
 }

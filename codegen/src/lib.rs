@@ -108,7 +108,8 @@ pub fn generate_folder(folder: &Path) -> Result<Generated, Error> {
 ///
 /// # Errors
 /// All mistakes in all files, or why there is no session.
-pub fn generate(sources: Vec<Source>) -> Result<Generated, Error> {
+pub fn generate(mut sources: Vec<Source>) -> Result<Generated, Error> {
+    sources.sort_by(|a, b| a.name.cmp(&b.name));
     let mut relations = Vec::new();
     let mut wrong = Vec::new();
     for source in sources {
@@ -121,11 +122,7 @@ pub fn generate(sources: Vec<Source>) -> Result<Generated, Error> {
     let (generated, flawed) = session::run(move || derive(relations))?;
     wrong.extend(flawed);
     wrong.sort_by(|a, b| a.source.path.cmp(&b.source.path));
-    if wrong.is_empty() {
-        Ok(generated)
-    } else {
-        Err(Error::Mistakes(wrong))
-    }
+    if wrong.is_empty() { Ok(generated) } else { Err(Error::Mistakes(wrong)) }
 }
 
 /// Reads and checks one relation file, as far as that goes without algebra.
@@ -133,21 +130,21 @@ pub fn generate(sources: Vec<Source>) -> Result<Generated, Error> {
 /// # Errors
 /// All its mistakes.
 pub fn check(source: &Source) -> Result<Relation, Vec<Mistake>> {
-    validate::check(source, &definition::read(source)?)
+    match definition::read(source) {
+        (Some(definition), mistakes) => validate::check(source, &definition, mistakes),
+        (None, mistakes) => Err(mistakes),
+    }
 }
 
 fn derive(relations: Vec<(Source, Relation)>) -> (Generated, Vec<Mistakes>) {
-    let alphabet = Alphabet::new();
+    let alphabet = Alphabet::register();
     let mut kernels = Vec::new();
     let mut wrong = Vec::new();
     for (source, relation) in relations {
         match Kernel::new(&relation, &alphabet) {
             Ok(kernel) => kernels.push(kernel),
             Err(error) => {
-                wrong.push(Mistakes {
-                    source,
-                    mistakes: mistakes(&relation, &error),
-                });
+                wrong.push(Mistakes { source, mistakes: mistakes(&relation, &error) });
             }
         }
     }
@@ -177,10 +174,7 @@ fn mistakes(relation: &Relation, error: &KernelError) -> Vec<Mistake> {
     let mistake = |flaw: &Flaw| match flaw {
         Flaw::ConstantEquation(row) => Mistake::new(
             relation.residual.row(*row).span.clone(),
-            format!(
-                "equation {} does not depend on the position of a body",
-                row + 1
-            ),
+            format!("equation {} does not depend on the position of a body", row + 1),
             "no motion can fulfil it; use the coordinates of body i or j",
         ),
         Flaw::ConstantWork(row) => Mistake::new(
@@ -190,10 +184,7 @@ fn mistakes(relation: &Relation, error: &KernelError) -> Vec<Mistake> {
         ),
         Flaw::NonlinearWork(row) => Mistake::new(
             work.row(*row).span.clone(),
-            format!(
-                "row {} of work is not linear in the virtual motion",
-                row + 1
-            ),
+            format!("row {} of work is not linear in the virtual motion", row + 1),
             "let delta_* stand once in each product",
         ),
     };

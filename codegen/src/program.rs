@@ -90,18 +90,12 @@ impl Program {
                     let operations = program.operations();
                     (operations.total(), operations.multiplications)
                 };
-                if best
-                    .as_ref()
-                    .is_none_or(|best| count(&program) < count(best))
-                {
+                if best.as_ref().is_none_or(|best| count(&program) < count(best)) {
                     best = Some(program);
                 }
             }
         }
-        Ok(best.unwrap_or(Self {
-            nodes: Vec::new(),
-            outputs: Vec::new(),
-        }))
+        Ok(best.unwrap_or(Self { nodes: Vec::new(), outputs: Vec::new() }))
     }
 
     /// Counts the operations.
@@ -173,10 +167,7 @@ fn translate(
         .collect();
     expressions.extend(outputs.iter().cloned());
     if expressions.is_empty() {
-        return Ok(Program {
-            nodes: Vec::new(),
-            outputs: Vec::new(),
-        });
+        return Ok(Program { nodes: Vec::new(), outputs: Vec::new() });
     }
     let mut arguments: Vec<Symbol> = expressions.iter().flat_map(symbols).collect();
     arguments.sort_by_key(Symbol::get_id);
@@ -198,11 +189,7 @@ fn translate(
         })
         .collect::<Result<Vec<_>, _>>()?;
     let (steps, results) = single_assignment(&exported)?;
-    let place = intermediates
-        .iter()
-        .enumerate()
-        .map(|(k, (symbol, _))| (*symbol, k))
-        .collect();
+    let place = intermediates.iter().enumerate().map(|(k, (symbol, _))| (*symbol, k)).collect();
     let mut builder = Builder {
         arguments: &arguments,
         constants: &constants,
@@ -214,10 +201,8 @@ fn translate(
         nodes: Vec::new(),
         known: HashMap::new(),
     };
-    let roots: Vec<NodeId> = results[intermediates.len()..]
-        .iter()
-        .map(|&operand| builder.operand(operand))
-        .collect();
+    let roots: Vec<NodeId> =
+        results[intermediates.len()..].iter().map(|&operand| builder.operand(operand)).collect();
     debug_assert!(algebra.intermediates().count() >= intermediates.len());
     Ok(schedule(&builder.nodes, &roots))
 }
@@ -266,10 +251,7 @@ fn single_assignment<T>(
             .ok_or_else(|| refuse(instruction))
         };
         let all = |slots: &[Slot], temporaries: &[_], outputs: &[_]| {
-            slots
-                .iter()
-                .map(|slot| read(slot, temporaries, outputs))
-                .collect::<Result<Vec<_>, _>>()
+            slots.iter().map(|slot| read(slot, temporaries, outputs)).collect::<Result<Vec<_>, _>>()
         };
         let (target, value) = match instruction {
             Instruction::Add(target, slots, _) => {
@@ -355,10 +337,7 @@ impl Builder<'_> {
     }
 
     fn sum(&mut self, operands: &[Operand]) -> NodeId {
-        let terms: Vec<NodeId> = operands
-            .iter()
-            .map(|&operand| self.operand(operand))
-            .collect();
+        let terms: Vec<NodeId> = operands.iter().map(|&operand| self.operand(operand)).collect();
         // Starting with a term that is not negated saves a negation.
         let first = terms
             .iter()
@@ -375,10 +354,8 @@ impl Builder<'_> {
 
     fn product(&mut self, operands: &[Operand]) -> NodeId {
         // Constants last, so that the same product with another factor is shared.
-        let mut factors: Vec<NodeId> = operands
-            .iter()
-            .map(|&operand| self.operand(operand))
-            .collect();
+        let mut factors: Vec<NodeId> =
+            operands.iter().map(|&operand| self.operand(operand)).collect();
         factors.sort_by_key(|&factor| matches!(self.nodes[factor], Node::Constant(..)));
         let mut product = factors[0];
         for &factor in &factors[1..] {
@@ -393,11 +370,7 @@ impl Builder<'_> {
         }
         let half = self.power(base, power / 2);
         let square = self.multiply(half, half);
-        if power.is_multiple_of(2) {
-            square
-        } else {
-            self.multiply(square, base)
-        }
+        if power.is_multiple_of(2) { square } else { self.multiply(square, base) }
     }
 
     fn add(&mut self, a: NodeId, b: NodeId) -> NodeId {
@@ -470,14 +443,8 @@ impl Builder<'_> {
 fn schedule(nodes: &[Node], roots: &[NodeId]) -> Program {
     let mut place: Vec<Option<NodeId>> = vec![None; nodes.len()];
     let mut ordered = Vec::new();
-    let outputs = roots
-        .iter()
-        .map(|&root| visit(nodes, root, &mut place, &mut ordered))
-        .collect();
-    Program {
-        nodes: ordered,
-        outputs,
-    }
+    let outputs = roots.iter().map(|&root| visit(nodes, root, &mut place, &mut ordered)).collect();
+    Program { nodes: ordered, outputs }
 }
 
 fn visit(

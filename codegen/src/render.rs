@@ -27,10 +27,7 @@ pub struct File {
 /// Tokens that are not Rust are a mistake of the emitter and panic.
 pub fn file(name: &str, tokens: TokenStream) -> File {
     let tree = syn::parse2(tokens).expect("the emitter makes Rust");
-    File {
-        name: name.to_owned(),
-        text: format!("{HEADER}{}", prettyplease::unparse(&tree)),
-    }
+    File { name: name.to_owned(), text: format!("{HEADER}{}", prettyplease::unparse(&tree)) }
 }
 
 /// Writes files into a folder and removes what else ends in `.rs` there.

@@ -50,9 +50,7 @@ pub enum SessionError {
 /// # Panics
 /// A panic of `job` continues in the caller, after the lock is released.
 pub fn run<T: Send + 'static>(job: impl FnOnce() -> T + Send + 'static) -> Result<T, SessionError> {
-    let directory = dirs::cache_dir()
-        .ok_or(SessionError::NoCacheDirectory)?
-        .join("hardpoint");
+    let directory = dirs::cache_dir().ok_or(SessionError::NoCacheDirectory)?.join("hardpoint");
     let _lock = lock(&directory)?;
     // The default stack is too small for the recursion over large expressions
     // in a build that is not optimised.
@@ -62,21 +60,13 @@ pub fn run<T: Send + 'static>(job: impl FnOnce() -> T + Send + 'static) -> Resul
         .spawn(job)
         .map_err(SessionError::Thread)?;
     // Only a joined thread has given its place back; a scope would not wait for that.
-    thread
-        .join()
-        .or_else(|panic| std::panic::resume_unwind(panic))
+    thread.join().or_else(|panic| std::panic::resume_unwind(panic))
 }
 
 fn lock(directory: &Path) -> Result<File, SessionError> {
     let path = directory.join("symbolica.lock");
     let locked = fs::create_dir_all(directory)
-        .and_then(|()| {
-            OpenOptions::new()
-                .create(true)
-                .truncate(false)
-                .write(true)
-                .open(&path)
-        })
+        .and_then(|()| OpenOptions::new().create(true).truncate(false).write(true).open(&path))
         .and_then(|file| file.lock().map(|()| file));
     locked.map_err(|source| SessionError::Lock { path, source })
 }

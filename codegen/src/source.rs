@@ -23,16 +23,8 @@ impl Source {
     /// A source from text, for a file that may not exist.
     pub fn new(path: impl Into<PathBuf>, text: impl Into<String>) -> Self {
         let path = path.into();
-        let name = path
-            .file_stem()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
-        Self {
-            path,
-            name,
-            text: text.into(),
-        }
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        Self { path, name, text: text.into() }
     }
 }
 
@@ -44,10 +36,7 @@ pub fn read_folder(folder: &Path) -> io::Result<Vec<Source>> {
     let mut paths = fs::read_dir(folder)?
         .map(|entry| entry.map(|entry| entry.path()))
         .collect::<io::Result<Vec<_>>>()?;
-    paths.retain(|path| {
-        path.extension()
-            .is_some_and(|extension| extension == "toml")
-    });
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     paths.sort();
     paths
         .into_iter()
@@ -69,11 +58,7 @@ pub struct Mistake {
 impl Mistake {
     /// A mistake at a place of the file.
     pub fn new(span: Range<usize>, message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self {
-            message: message.into(),
-            span,
-            help: help.into(),
-        }
+        Self { message: message.into(), span, help: help.into() }
     }
 }
 

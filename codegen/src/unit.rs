@@ -61,10 +61,7 @@ impl Unit {
 
     /// The unit of a square root; `None` where a quarter power would be needed.
     pub fn root(self) -> Option<Self> {
-        self.0
-            .iter()
-            .all(|exponent| exponent % 2 == 0)
-            .then(|| Self(self.0.map(|e| e / 2)))
+        self.0.iter().all(|exponent| exponent % 2 == 0).then(|| Self(self.0.map(|e| e / 2)))
     }
 }
 
@@ -82,11 +79,7 @@ impl fmt::Display for Unit {
                 separator = "*";
             }
         }
-        if separator.is_empty() {
-            formatter.write_str("1")
-        } else {
-            Ok(())
-        }
+        if separator.is_empty() { formatter.write_str("1") } else { Ok(()) }
     }
 }
 
@@ -99,10 +92,7 @@ mod tests {
         assert_eq!(Unit::parse("N*m/rad").unwrap().to_string(), "m^2*kg*s^-2");
         assert_eq!(Unit::parse("1").unwrap(), Unit::ONE);
         assert_eq!(Unit::parse("m^2").unwrap().root(), Some(Unit::METRE));
-        assert_eq!(
-            Unit::parse("m").unwrap().root().unwrap().to_string(),
-            "m^(1/2)"
-        );
+        assert_eq!(Unit::parse("m").unwrap().root().unwrap().to_string(), "m^(1/2)");
         assert_eq!(Unit::parse("mm").unwrap_err(), "mm");
         assert_eq!(Unit::parse("m^x").unwrap_err(), "m^x");
     }

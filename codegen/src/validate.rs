@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use crate::definition::{Definition, Text, closest};
+use crate::definition::{Definition, ParameterDefinition, Text, closest};
 use crate::expression::{self, Expression, Kind, Operator};
 use crate::source::{Mistake, Source};
 use crate::unit::Unit;
@@ -98,31 +98,28 @@ const FUNCTIONS: [&str; 7] = ["dot", "cross", "norm", "transpose", "sqrt", "sin"
 /// Checks a relation.
 ///
 /// # Errors
-/// All mistakes in names, shapes and units.
-pub fn check(source: &Source, definition: &Definition) -> Result<Relation, Vec<Mistake>> {
-    let mut checker = Checker::default();
+/// All mistakes in names, shapes and units, together with those found before.
+pub fn check(
+    source: &Source,
+    definition: &Definition,
+    mistakes: Vec<Mistake>,
+) -> Result<Relation, Vec<Mistake>> {
+    let mut checker = Checker { mistakes, ..Checker::default() };
     checker.file_name(source);
     let parameters = checker.parameters(definition);
     let mut definitions = Vec::new();
     for (name, text) in &definition.definitions {
         checker.new_name(name);
         let expression = checker.parse(text);
-        let quantity = expression
-            .as_ref()
-            .and_then(|expression| checker.quantity(expression));
+        let quantity = expression.as_ref().and_then(|expression| checker.quantity(expression));
         checker.names.insert(name.text.clone(), quantity);
         checker.unused.push((name.text.clone(), name.span.clone()));
         definitions.extend(expression.map(|expression| (name.text.clone(), expression)));
     }
     let residual = checker.parse(&definition.residual);
-    let phi = residual
-        .as_ref()
-        .and_then(|residual| checker.quantity(residual));
+    let phi = residual.as_ref().and_then(|residual| checker.quantity(residual));
     checker.virtual_motion = true;
-    let work = definition
-        .work
-        .as_ref()
-        .and_then(|text| checker.parse(text));
+    let work = definition.work.as_ref().and_then(|text| checker.parse(text));
     let motion = work.as_ref().and_then(|work| checker.quantity(work));
     checker.whole(definition, phi, motion);
     if !checker.mistakes.is_empty() {
@@ -146,11 +143,7 @@ pub fn check(source: &Source, definition: &Definition) -> Result<Relation, Vec<M
 }
 
 fn equations(shape: Shape) -> usize {
-    if let Shape::Vector(size) = shape {
-        size
-    } else {
-        1
-    }
+    if let Shape::Vector(size) = shape { size } else { 1 }
 }
 
 #[derive(Default)]
@@ -166,16 +159,13 @@ struct Checker {
 
 impl Checker {
     fn report(&mut self, span: &Range<usize>, message: impl Into<String>, help: impl Into<String>) {
-        self.mistakes
-            .push(Mistake::new(span.clone(), message, help));
+        self.mistakes.push(Mistake::new(span.clone(), message, help));
     }
 
     fn file_name(&mut self, source: &Source) {
         let name = &source.name;
         let plain = name.starts_with(|c: char| c.is_ascii_lowercase())
-            && name
-                .chars()
-                .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
+            && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
         if !plain || syn::parse_str::<syn::Ident>(name).is_err() {
             self.report(
                 &(0..0),
@@ -190,33 +180,27 @@ impl Checker {
         let mut parameters = Vec::new();
         for parameter in &definition.parameters {
             self.new_name(&parameter.name);
-            let unit = Unit::parse(&parameter.unit.text).map_err(|part| {
-                self.report(
-                    &parameter.unit.span,
-                    format!("the unit `{part}` is not known"),
-                    "units are products and powers of m, kg, s, rad, N and J, as `N*m/rad`; \
-                     `1` has no dimension",
-                );
-            });
+            let unit = parameter.unit.as_ref().and_then(|unit| self.unit(unit));
             let frame = self.frame(parameter);
-            let shape = if parameter.size == 1 {
-                Shape::Scalar
-            } else {
-                Shape::Vector(3)
+            let shape = match parameter.size {
+                Some(1) => Some(Shape::Scalar),
+                size => size.map(Shape::Vector),
             };
-            let quantity = unit.ok().map(|unit| Quantity { shape, unit });
+            let quantity = shape.zip(unit).map(|(shape, unit)| Quantity { shape, unit });
             self.names.insert(parameter.name.text.clone(), quantity);
-            self.unused
-                .push((parameter.name.text.clone(), parameter.name.span.clone()));
+            self.unused.push((parameter.name.text.clone(), parameter.name.span.clone()));
+            let text =
+                |text: &Option<Text>| text.as_ref().map_or_else(String::new, |t| t.text.clone());
+            let size = parameter.size.unwrap_or(0);
             parameters.push(Parameter {
                 name: parameter.name.text.clone(),
-                size: parameter.size,
+                size,
                 offset,
-                unit: parameter.unit.text.clone(),
+                unit: text(&parameter.unit),
                 frame,
-                meaning: parameter.meaning.text.clone(),
+                meaning: text(&parameter.meaning),
             });
-            offset += parameter.size;
+            offset += size;
         }
         if offset > MOST_PARAMETERS {
             self.report(
@@ -228,15 +212,28 @@ impl Checker {
         parameters
     }
 
-    fn frame(&mut self, parameter: &crate::definition::ParameterDefinition) -> String {
+    fn unit(&mut self, unit: &Text) -> Option<Unit> {
+        Unit::parse(&unit.text)
+            .map_err(|part| {
+                self.report(
+                    &unit.span,
+                    format!("the unit `{part}` is not known"),
+                    "units are products and powers of m, kg, s, rad, N and J, as `N*m/rad`; \
+                     `1` has no dimension",
+                );
+            })
+            .ok()
+    }
+
+    fn frame(&mut self, parameter: &ParameterDefinition) -> String {
         let known = ["body i", "body j", "ground"];
         match (&parameter.frame, parameter.size) {
-            (None, 3) => self.report(
+            (None, Some(3)) => self.report(
                 &parameter.name.span,
                 format!("vector `{}` has no frame", parameter.name.text),
                 "say what its components refer to: `frame = \"body i\"`, `\"body j\"` or `\"ground\"`",
             ),
-            (Some(frame), 1) => self.report(
+            (Some(frame), Some(1)) => self.report(
                 &frame.span,
                 format!("number `{}` has a frame", parameter.name.text),
                 "leave out `frame`; only vectors have one",
@@ -248,10 +245,7 @@ impl Checker {
             ),
             _ => {}
         }
-        parameter
-            .frame
-            .as_ref()
-            .map_or_else(String::new, |frame| frame.text.clone())
+        parameter.frame.as_ref().map_or_else(String::new, |frame| frame.text.clone())
     }
 
     fn new_name(&mut self, name: &Text) {
@@ -278,9 +272,7 @@ impl Checker {
     }
 
     fn parse(&mut self, text: &Text) -> Option<Expression> {
-        expression::parse(text)
-            .map_err(|mistakes| self.mistakes.extend(mistakes))
-            .ok()
+        expression::parse(text).map_err(|mistakes| self.mistakes.extend(mistakes)).ok()
     }
 
     /// What concerns the relation as a whole.
@@ -288,11 +280,7 @@ impl Checker {
         let span = &definition.residual.span;
         match phi.map(|phi| phi.shape) {
             Some(Shape::Matrix) => {
-                self.report(
-                    span,
-                    "the residual is a matrix",
-                    "list the entries that must vanish",
-                );
+                self.report(span, "the residual is a matrix", "list the entries that must vanish");
             }
             Some(shape) if equations(shape) > MOST_EQUATIONS => {
                 let count = equations(shape);
@@ -307,11 +295,8 @@ impl Checker {
         if let (Some(phi), Some(work), Some(text)) = (phi, work, &definition.work)
             && phi.shape != work.shape
         {
-            let message = format!(
-                "work is {}, but the residual {}",
-                work.shape.words(),
-                phi.shape.words()
-            );
+            let message =
+                format!("work is {}, but the residual {}", work.shape.words(), phi.shape.words());
             self.report(&text.span, message, "give work one row for each equation");
         }
         // After a mistake in an expression a name may only seem to be unused.
@@ -334,10 +319,7 @@ impl Checker {
     fn quantity(&mut self, expression: &Expression) -> Option<Quantity> {
         let span = &expression.span;
         match &expression.kind {
-            Kind::Number(..) => Some(Quantity {
-                shape: Shape::Scalar,
-                unit: Unit::ONE,
-            }),
+            Kind::Number(..) => Some(Quantity { shape: Shape::Scalar, unit: Unit::ONE }),
             Kind::Name(name) => self.name(name, span),
             Kind::Negate(inner) => self.quantity(inner),
             Kind::Binary(operator, left, right) => {
@@ -346,23 +328,16 @@ impl Checker {
                 self.binary(*operator, left?, right?, span)
             }
             Kind::Call(name, arguments) => {
-                let quantities: Vec<_> = arguments
-                    .iter()
-                    .map(|argument| self.quantity(argument))
-                    .collect();
-                self.call(
-                    name,
-                    &quantities.into_iter().collect::<Option<Vec<_>>>()?,
-                    span,
-                )
+                let quantities: Vec<_> =
+                    arguments.iter().map(|argument| self.quantity(argument)).collect();
+                self.call(name, &quantities.into_iter().collect::<Option<Vec<_>>>()?, span)
             }
             Kind::Component(inner, component) => {
                 let inner = self.quantity(inner)?;
                 match inner.shape {
-                    Shape::Vector(size) if *component < size => Some(Quantity {
-                        shape: Shape::Scalar,
-                        unit: inner.unit,
-                    }),
+                    Shape::Vector(size) if *component < size => {
+                        Some(Quantity { shape: Shape::Scalar, unit: inner.unit })
+                    }
                     shape => {
                         self.report(
                             span,
@@ -378,27 +353,21 @@ impl Checker {
     }
 
     fn list(&mut self, parts: &[Expression], span: &Range<usize>) -> Option<Quantity> {
-        let quantities: Vec<_> = parts
-            .iter()
-            .map(|part| (self.quantity(part), &part.span))
-            .collect();
+        let quantities: Vec<_> =
+            parts.iter().map(|part| (self.quantity(part), &part.span)).collect();
         let mut size = 0;
         let mut unit = None;
         for (quantity, span) in quantities {
             let quantity = quantity?;
             if quantity.shape == Shape::Matrix {
-                self.report(
-                    span,
-                    "a list cannot hold a matrix",
-                    "list numbers and vectors",
-                );
+                self.report(span, "a list cannot hold a matrix", "list numbers and vectors");
                 return None;
             }
             let first = *unit.get_or_insert(quantity.unit);
             if first != quantity.unit {
                 self.report(
                     span,
-                    format!("the list has the unit {first}, but this {}", quantity.unit),
+                    format!("the list has the unit {first}, but this entry {}", quantity.unit),
                     "all entries of a list need one unit; multiply by a length where it must be",
                 );
                 return None;
@@ -406,16 +375,9 @@ impl Checker {
             size += equations(quantity.shape);
         }
         if size == 0 {
-            self.report(
-                span,
-                "the list is empty",
-                "list at least one number or vector",
-            );
+            self.report(span, "the list is empty", "list at least one number or vector");
         }
-        unit.map(|unit| Quantity {
-            shape: Shape::Vector(size),
-            unit,
-        })
+        unit.map(|unit| Quantity { shape: Shape::Vector(size), unit })
     }
 
     fn name(&mut self, name: &str, span: &Range<usize>) -> Option<Quantity> {
@@ -428,11 +390,7 @@ impl Checker {
                 );
                 return None;
             }
-            *(if body == 'i' {
-                &mut self.body_i
-            } else {
-                &mut self.body_j
-            }) = true;
+            *(if body == 'i' { &mut self.body_i } else { &mut self.body_j }) = true;
             return Some(quantity);
         }
         self.unused.retain(|(unused, _)| unused != name);
@@ -461,11 +419,7 @@ impl Checker {
         let words = (left.shape.words(), right.shape.words());
         match operator {
             Operator::Add | Operator::Subtract => {
-                let verb = if operator == Operator::Add {
-                    "added"
-                } else {
-                    "subtracted"
-                };
+                let verb = if operator == Operator::Add { "added" } else { "subtracted" };
                 if left.shape != right.shape {
                     let message = format!("{} and {} cannot be {verb}", words.0, words.1);
                     self.report(span, message, "both sides need one shape");
@@ -493,15 +447,11 @@ impl Checker {
                         return None;
                     }
                 };
-                Some(Quantity {
-                    shape,
-                    unit: left.unit.times(right.unit),
-                })
+                Some(Quantity { shape, unit: left.unit.times(right.unit) })
             }
-            Operator::Divide if right.shape == Scalar => Some(Quantity {
-                shape: left.shape,
-                unit: left.unit.over(right.unit),
-            }),
+            Operator::Divide if right.shape == Scalar => {
+                Some(Quantity { shape: left.shape, unit: left.unit.over(right.unit) })
+            }
             Operator::Divide => {
                 let message = format!("division by {} has no meaning", words.1);
                 self.report(span, message, "divide by a number");
@@ -517,10 +467,7 @@ impl Checker {
         span: &Range<usize>,
     ) -> Option<Quantity> {
         use Shape::{Matrix, Scalar, Vector};
-        if matches!(
-            name,
-            "abs" | "min" | "max" | "sign" | "floor" | "powf" | "pow"
-        ) {
+        if matches!(name, "abs" | "min" | "max" | "sign" | "floor" | "powf" | "pow") {
             self.report(
                 span,
                 format!("`{name}` is not smooth or not exact"),

@@ -42,12 +42,7 @@ impl Jacobian {
             .map(|place| place.and_then(|(row, column)| pattern.slot(row, column)))
             .map(|slot| slot.unwrap_or(spare))
             .collect();
-        Self {
-            values: vec![0.0; spare + 1],
-            terms,
-            pattern,
-            slots,
-        }
+        Self { values: vec![0.0; spare + 1], terms, pattern, slots }
     }
 
     /// The pattern of the matrix.
@@ -67,9 +62,7 @@ impl Jacobian {
 
     /// Evaluates Φ (all equations) and the matrix.
     pub fn fill(&mut self, state: &[Coordinates<f64>], h: &[f64], phi: &mut [f64]) {
-        let Terms {
-            list, phi_q, work, ..
-        } = &mut self.terms;
+        let Terms { list, phi_q, work, .. } = &mut self.terms;
         let mut slots = self.slots.iter();
         for term in list {
             let phi_q = &mut phi_q[..term.shape.jacobian.len()];

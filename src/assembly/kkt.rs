@@ -40,9 +40,7 @@ struct Places<'a> {
 impl Places<'_> {
     /// An entry of Φ_q or, mirrored, of Wᵀ.
     fn constraint(&self, equation: u8, local: u8) -> Entry {
-        let row = self
-            .numbering
-            .row(self.term.equations.start + usize::from(equation))?;
+        let row = self.numbering.row(self.term.equations.start + usize::from(equation))?;
         Some((self.numbering.unknowns() + row, self.term.unknown(local)?))
     }
 
@@ -81,16 +79,11 @@ impl Kkt {
         let size = unknowns + numbering.kept().len();
         let entries = phi_q.iter().chain(&curvature).flatten().chain(&work);
         let diagonal = (0..unknowns).map(|k| (k, k));
-        let pattern = Pattern::new(
-            size,
-            size,
-            entries.copied().flatten().chain(diagonal.clone()).collect(),
-        );
+        let pattern =
+            Pattern::new(size, size, entries.copied().flatten().chain(diagonal.clone()).collect());
         let spare = pattern.nonzeros();
         let slot = |entry: Entry| {
-            entry
-                .and_then(|(row, column)| pattern.slot(row, column))
-                .unwrap_or(spare)
+            entry.and_then(|(row, column)| pattern.slot(row, column)).unwrap_or(spare)
         };
         Self {
             unknowns,
@@ -130,13 +123,7 @@ impl Kkt {
     pub fn fill(&mut self, state: &[Coordinates<f64>], h: &[f64], lambda: &[f64], phi: &mut [f64]) {
         self.values.fill(0.0);
         self.force.fill(0.0);
-        let Terms {
-            list,
-            phi_q,
-            work,
-            curvature,
-            ..
-        } = &mut self.terms;
+        let Terms { list, phi_q, work, curvature, .. } = &mut self.terms;
         let mut phi_q_slots = self.phi_q_slots.iter();
         let mut work_slots = self.work_slots.iter();
         let mut curvature_slots = self.curvature_slots.iter();
@@ -180,15 +167,12 @@ impl Kkt {
         phi: &mut [f64],
     ) {
         self.force.fill(0.0);
-        let Terms {
-            list, phi_q, work, ..
-        } = &mut self.terms;
+        let Terms { list, phi_q, work, .. } = &mut self.terms;
         for term in list {
             let phi_q = &mut phi_q[..term.shape.jacobian.len()];
             let work = &mut work[..term.shape.work.len()];
             let phi = &mut phi[term.equations.clone()];
-            term.kernels
-                .jacobian(term.place(state, h), phi, phi_q, work);
+            term.kernels.jacobian(term.place(state, h), phi, phi_q, work);
             let lambda = &lambda[term.equations.clone()];
             add_force(term, phi_q, work, lambda, &mut self.force);
         }
@@ -207,16 +191,13 @@ impl Kkt {
         for (&slot, &value) in self.diagonal_slots.iter().zip(diagonal) {
             self.values[slot] = value;
         }
-        let Terms {
-            list, phi_q, work, ..
-        } = &mut self.terms;
+        let Terms { list, phi_q, work, .. } = &mut self.terms;
         let mut slots = self.phi_q_slots.iter();
         for term in list {
             let phi_q = &mut phi_q[..term.shape.jacobian.len()];
             let work = &mut work[..term.shape.work.len()];
             let phi = &mut phi[term.equations.clone()];
-            term.kernels
-                .jacobian(term.place(state, h), phi, phi_q, work);
+            term.kernels.jacobian(term.place(state, h), phi, phi_q, work);
             for (value, &[slot, transposed]) in phi_q.iter().zip(&mut slots) {
                 self.values[slot] = *value;
                 self.values[transposed] = *value;
@@ -232,11 +213,8 @@ impl Kkt {
 
 /// Adds Wᵀλ of one term.
 fn add_force(term: &Term, phi_q: &[f64], work: &[f64], lambda: &[f64], force: &mut [f64]) {
-    let (pattern, rows) = if term.shape.has_work() {
-        (term.shape.work, work)
-    } else {
-        (term.shape.jacobian, phi_q)
-    };
+    let (pattern, rows) =
+        if term.shape.has_work() { (term.shape.work, work) } else { (term.shape.jacobian, phi_q) };
     for (&(equation, local), value) in pattern.iter().zip(rows) {
         if let Some(unknown) = term.unknown(local) {
             force[unknown] += *value * lambda[usize::from(equation)];

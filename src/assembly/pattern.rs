@@ -62,10 +62,7 @@ impl Pattern {
     pub fn slot(&self, row: usize, column: usize) -> Option<usize> {
         let range = self.column_starts[column]..self.column_starts[column + 1];
         let start = range.start;
-        self.row_indices[range]
-            .binary_search(&row)
-            .ok()
-            .map(|position| start + position)
+        self.row_indices[range].binary_search(&row).ok().map(|position| start + position)
     }
 
     /// All (row, column, place) triples in the order of the value array.

@@ -30,21 +30,13 @@ impl Term {
     }
 
     pub(super) fn place<'a>(&self, state: &'a [Coordinates<f64>], h: &'a [f64]) -> Place<'a, f64> {
-        Place {
-            q_i: &state[self.i],
-            q_j: &state[self.j],
-            h: &h[self.parameters.clone()],
-        }
+        Place { q_i: &state[self.i], q_j: &state[self.j], h: &h[self.parameters.clone()] }
     }
 
     /// The unknown that a local coordinate is; none for the ground.
     pub(super) fn unknown(&self, local: u8) -> Option<usize> {
         let local = usize::from(local);
-        let body = if local < BODY_COORDINATES {
-            self.i
-        } else {
-            self.j
-        };
+        let body = if local < BODY_COORDINATES { self.i } else { self.j };
         let body = body.checked_sub(1)?;
         Some(BODY_COORDINATES * body + local % BODY_COORDINATES)
     }
@@ -68,11 +60,7 @@ impl Numbering {
         for (row, &equation) in kept.iter().enumerate() {
             rows[equation] = Some(row);
         }
-        Self {
-            rows,
-            kept,
-            unknowns: unknown_count(expansion.body_count()),
-        }
+        Self { rows, kept, unknowns: unknown_count(expansion.body_count()) }
     }
 
     /// The equation of each row.
@@ -108,13 +96,7 @@ impl Terms {
     pub fn new(expansion: &Expansion) -> Self {
         let list: Vec<Term> = expansion.instances().iter().map(Term::new).collect();
         let scratch = |length: fn(&Shape) -> usize| {
-            vec![
-                0.0;
-                list.iter()
-                    .map(|term| length(term.shape))
-                    .max()
-                    .unwrap_or(0)
-            ]
+            vec![0.0; list.iter().map(|term| length(term.shape)).max().unwrap_or(0)]
         };
         Self {
             phi_q: scratch(|shape| shape.jacobian.len()),

@@ -21,16 +21,8 @@ pub struct Mechanism {
 impl Mechanism {
     /// An empty system with the ground under the given name, such as `chassis`.
     pub fn new(ground: &str) -> Self {
-        let ground = Body {
-            name: ground.to_owned(),
-            origin: [0.0; 3],
-        };
-        Self {
-            bodies: vec![ground],
-            points: vec![],
-            joints: vec![],
-            drivers: vec![],
-        }
+        let ground = Body { name: ground.to_owned(), origin: [0.0; 3] };
+        Self { bodies: vec![ground], points: vec![], joints: vec![], drivers: vec![] }
     }
 
     /// Adds a body whose frame has its origin at `origin` (m).
@@ -40,10 +32,7 @@ impl Mechanism {
     pub fn add_body(&mut self, name: &str, origin: [f64; 3]) -> Result<BodyId, MechanismError> {
         new_name("body", name, self.bodies.iter().map(|body| &*body.name))?;
         finite("body", name, &origin)?;
-        self.bodies.push(Body {
-            name: name.to_owned(),
-            origin,
-        });
+        self.bodies.push(Body { name: name.to_owned(), origin });
         Ok(BodyId(self.bodies.len() - 1))
     }
 
@@ -54,10 +43,7 @@ impl Mechanism {
     pub fn add_point(&mut self, name: &str, position: [f64; 3]) -> Result<PointId, MechanismError> {
         new_name("point", name, self.points.iter().map(|point| &*point.name))?;
         finite("point", name, &position)?;
-        self.points.push(Point {
-            name: name.to_owned(),
-            position,
-        });
+        self.points.push(Point { name: name.to_owned(), position });
         Ok(PointId(self.points.len() - 1))
     }
 
@@ -81,12 +67,7 @@ impl Mechanism {
         if let JointKind::Link { on_i, on_j } = kind {
             self.check_distance("joint", name, "length", on_i, on_j)?;
         }
-        self.joints.push(Joint {
-            name: name.to_owned(),
-            i,
-            j,
-            kind,
-        });
+        self.joints.push(Joint { name: name.to_owned(), i, j, kind });
         Ok(())
     }
 
@@ -101,15 +82,8 @@ impl Mechanism {
         j: BodyId,
         kind: DriverKind,
     ) -> Result<DriverId, MechanismError> {
-        new_name(
-            "driver",
-            name,
-            self.drivers.iter().map(|driver| &*driver.name),
-        )?;
-        if matches!(
-            kind,
-            DriverKind::Height { .. } | DriverKind::PatchHeight { .. }
-        ) {
+        new_name("driver", name, self.drivers.iter().map(|driver| &*driver.name))?;
+        if matches!(kind, DriverKind::Height { .. } | DriverKind::PatchHeight { .. }) {
             self.check_height(name, i, j)?;
         }
         self.check_bodies("driver", name, i, j)?;
@@ -123,19 +97,12 @@ impl Mechanism {
             DriverKind::Length { on_i, on_j } => {
                 self.check_distance("driver", name, "length", on_i, on_j)?;
             }
-            DriverKind::PatchHeight {
-                center,
-                spin,
-                radius,
-            } => self.check_disc(name, center, spin, radius)?,
+            DriverKind::PatchHeight { center, spin, radius } => {
+                self.check_disc(name, center, spin, radius)?
+            }
             _ => {}
         }
-        self.drivers.push(Driver {
-            name: name.to_owned(),
-            i,
-            j,
-            kind,
-        });
+        self.drivers.push(Driver { name: name.to_owned(), i, j, kind });
         Ok(DriverId(self.drivers.len() - 1))
     }
 
@@ -161,26 +128,17 @@ impl Mechanism {
 
     /// The body of a name.
     pub fn body_named(&self, name: &str) -> Option<BodyId> {
-        self.bodies
-            .iter()
-            .position(|body| body.name == name)
-            .map(BodyId)
+        self.bodies.iter().position(|body| body.name == name).map(BodyId)
     }
 
     /// The point of a name.
     pub fn point_named(&self, name: &str) -> Option<PointId> {
-        self.points
-            .iter()
-            .position(|point| point.name == name)
-            .map(PointId)
+        self.points.iter().position(|point| point.name == name).map(PointId)
     }
 
     /// The driver of a name.
     pub fn driver_named(&self, name: &str) -> Option<DriverId> {
-        self.drivers
-            .iter()
-            .position(|driver| driver.name == name)
-            .map(DriverId)
+        self.drivers.iter().position(|driver| driver.name == name).map(DriverId)
     }
 
     /// Design positions of all points (m), the form that [`super::Expansion::parameters`] takes.
@@ -308,11 +266,7 @@ impl Mechanism {
         let center = self.points[center.0].name.clone();
         let name = name.to_owned();
         if radius <= 0.0 {
-            return Err(MechanismError::Radius {
-                name,
-                radius,
-                center,
-            });
+            return Err(MechanismError::Radius { name, radius, center });
         }
         let spin = crate::vector::unit(self.vector(spin));
         if spin[0].hypot(spin[1]) < 1e-6 {
@@ -331,21 +285,14 @@ fn new_name<'a>(
         return Err(MechanismError::EmptyName { what });
     }
     if taken.any(|other| other == name) {
-        return Err(MechanismError::DuplicateName {
-            what,
-            name: name.to_owned(),
-        });
+        return Err(MechanismError::DuplicateName { what, name: name.to_owned() });
     }
     Ok(())
 }
 
 fn finite(what: &'static str, name: &str, numbers: &[f64]) -> Result<(), MechanismError> {
     match numbers.iter().find(|number| !number.is_finite()) {
-        Some(&value) => Err(MechanismError::NotFinite {
-            what,
-            name: name.to_owned(),
-            value,
-        }),
+        Some(&value) => Err(MechanismError::NotFinite { what, name: name.to_owned(), value }),
         None => Ok(()),
     }
 }
@@ -356,10 +303,5 @@ fn unknown_id(
     target: &'static str,
     number: usize,
 ) -> MechanismError {
-    MechanismError::UnknownId {
-        what,
-        name: name.to_owned(),
-        target,
-        number,
-    }
+    MechanismError::UnknownId { what, name: name.to_owned(), target, number }
 }

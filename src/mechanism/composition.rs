@@ -22,13 +22,7 @@ impl<'a> Composition<'a> {
         joint: &Joint,
         into: &'a mut Expansion,
     ) -> Self {
-        Self {
-            mechanism,
-            owner: Owner::Joint(index),
-            i: joint.i,
-            j: joint.j,
-            into,
-        }
+        Self { mechanism, owner: Owner::Joint(index), i: joint.i, j: joint.j, into }
     }
 
     pub(super) fn of_driver(
@@ -37,13 +31,7 @@ impl<'a> Composition<'a> {
         driver: &Driver,
         into: &'a mut Expansion,
     ) -> Self {
-        Self {
-            mechanism,
-            owner: Owner::Driver(id),
-            i: driver.i,
-            j: driver.j,
-            into,
-        }
+        Self { mechanism, owner: Owner::Driver(id), i: driver.i, j: driver.j, into }
     }
 
     pub(super) fn joint(&mut self, kind: JointKind) {
@@ -100,10 +88,7 @@ impl<'a> Composition<'a> {
             }
             DriverKind::Rotation { axis } => {
                 let [first, second] = self.normals(axis);
-                self.relation(
-                    RelationKind::Rotation,
-                    &[first, second, first, Recipe::Number(0.0)],
-                );
+                self.relation(RelationKind::Rotation, &[first, second, first, Recipe::Number(0.0)]);
             }
             DriverKind::Length { on_i, on_j } => {
                 let ends = [self.local(self.i, on_i), self.local(self.j, on_j)];
@@ -117,18 +102,10 @@ impl<'a> Composition<'a> {
                 let point = self.local(self.j, at);
                 self.relation(RelationKind::PointHeight, &[point, Recipe::Height(at)]);
             }
-            DriverKind::PatchHeight {
-                center,
-                spin,
-                radius,
-            } => {
+            DriverKind::PatchHeight { center, spin, radius } => {
                 self.i = self.j;
                 let point = self.local(self.j, center);
-                let height = Recipe::PatchHeight {
-                    center,
-                    spin,
-                    radius,
-                };
+                let height = Recipe::PatchHeight { center, spin, radius };
                 self.relation(
                     RelationKind::PatchHeight,
                     &[point, Recipe::Axis(spin), Recipe::Number(radius), height],
@@ -171,10 +148,7 @@ impl<'a> Composition<'a> {
     }
 
     fn local(&self, body: BodyId, point: PointId) -> Recipe {
-        Recipe::Local {
-            point,
-            origin: self.mechanism.bodies()[body.0].origin,
-        }
+        Recipe::Local { point, origin: self.mechanism.bodies()[body.0].origin }
     }
 
     fn relation(&mut self, kind: RelationKind, recipes: &[Recipe]) {

@@ -67,19 +67,15 @@ impl Expansion {
             let id = BodyId(index);
             let kind = RelationKind::EulerParameters;
             expansion.relation(Owner::Body(id), kind, id, id, &[]);
-            expansion
-                .labels
-                .push(format!("{} (Euler parameters), normalisation", body.name));
+            expansion.labels.push(format!("{} (Euler parameters), normalisation", body.name));
         }
         for (index, joint) in mechanism.joints().iter().enumerate() {
             Composition::of_joint(mechanism, index, joint, &mut expansion).joint(joint.kind);
             let name = labels::joint(mechanism, joint);
             let components = labels::components(joint.kind);
-            expansion.labels.extend(
-                components
-                    .iter()
-                    .map(|component| format!("{name}, {component}")),
-            );
+            expansion
+                .labels
+                .extend(components.iter().map(|component| format!("{name}, {component}")));
         }
         for (index, driver) in mechanism.drivers().iter().enumerate() {
             let id = DriverId(index);

@@ -4,10 +4,7 @@ use super::build::Mechanism;
 use super::topology::{Driver, Joint, JointKind};
 
 const POSITION: [&str; 3] = ["x position", "y position", "z position"];
-const ALIGNMENT: [&str; 2] = [
-    "first alignment of the axes",
-    "second alignment of the axes",
-];
+const ALIGNMENT: [&str; 2] = ["first alignment of the axes", "second alignment of the axes"];
 const OFFSET: [&str; 2] = ["first offset from the axis", "second offset from the axis"];
 
 /// The motion that each equation of a joint holds, in the order of the equations.
@@ -18,10 +15,9 @@ pub(super) fn components(kind: JointKind) -> Vec<&'static str> {
         JointKind::Universal { .. } => &[&POSITION, &["rotation about the shaft"]],
         JointKind::Translational { .. } => &[&ALIGNMENT, &["rotation about the axis"], &OFFSET],
         JointKind::Cylindrical { .. } => &[&ALIGNMENT, &OFFSET],
-        JointKind::Fixed { .. } => &[
-            &POSITION,
-            &["rotation about z", "rotation about x", "rotation about y"],
-        ],
+        JointKind::Fixed { .. } => {
+            &[&POSITION, &["rotation about z", "rotation about x", "rotation about y"]]
+        }
         JointKind::Link { .. } => &[&["length"]],
         JointKind::InPlane { .. } => &[&["offset from the plane"]],
         JointKind::InLine { .. } => {
@@ -36,11 +32,7 @@ pub(crate) fn joint(mechanism: &Mechanism, joint: &Joint) -> String {
     let bodies = mechanism.bodies();
     let (i, j) = (&bodies[joint.i.0].name, &bodies[joint.j.0].name);
     let kind = joint.kind.name();
-    let noun = if matches!(joint.kind, JointKind::Link { .. }) {
-        ""
-    } else {
-        " joint"
-    };
+    let noun = if matches!(joint.kind, JointKind::Link { .. }) { "" } else { " joint" };
     format!("{} ({kind}{noun} of {i} and {j})", joint.name)
 }
 

@@ -29,11 +29,7 @@ pub(super) enum Recipe {
     /// The height of a point.
     Height(PointId),
     /// The height of the lowest point of a disc.
-    PatchHeight {
-        center: PointId,
-        spin: Direction,
-        radius: f64,
-    },
+    PatchHeight { center: PointId, spin: Direction, radius: f64 },
 }
 
 /// An axis and the coordinate axis that its perpendicular pair is built with.
@@ -47,9 +43,8 @@ impl Normals {
     /// Chooses the coordinate axis farthest from the direction, which stays chosen.
     pub(super) fn choose(mechanism: &Mechanism, axis: Direction) -> Self {
         let components = mechanism.vector(axis).map(f64::abs);
-        let reference = (0..3)
-            .min_by(|&a, &b| components[a].total_cmp(&components[b]))
-            .unwrap_or(0);
+        let reference =
+            (0..3).min_by(|&a, &b| components[a].total_cmp(&components[b])).unwrap_or(0);
         Self { axis, reference }
     }
 
@@ -89,11 +84,7 @@ impl Recipe {
             Self::Number(number) => out.push(S::from_f64(number)),
             Self::Distance(from, to) => out.push(norm(sub(positions[to.0], positions[from.0]))),
             Self::Height(point) => out.push(positions[point.0][2]),
-            Self::PatchHeight {
-                center,
-                spin,
-                radius,
-            } => {
+            Self::PatchHeight { center, spin, radius } => {
                 // The normal of the disc has length one, so the disc reaches down
                 // by its radius times the cosine of the camber angle.
                 let spin = direction(spin, positions);

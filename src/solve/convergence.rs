@@ -20,12 +20,7 @@ pub struct Tolerances {
 
 impl Default for Tolerances {
     fn default() -> Self {
-        Self {
-            step: 1e-9,
-            residual: 1e-12,
-            iterations: 25,
-            contraction: f64::INFINITY,
-        }
+        Self { step: 1e-9, residual: 1e-12, iterations: 25, contraction: f64::INFINITY }
     }
 }
 

@@ -93,10 +93,7 @@ impl Equilibrium {
     pub fn solve(&mut self, tolerances: &Tolerances) -> Outcome {
         let problem = &mut self.problem;
         let forces = [&problem.load, &problem.lambda];
-        let size = forces
-            .iter()
-            .map(|force| largest(force))
-            .fold(0.0, f64::max);
+        let size = forces.iter().map(|force| largest(force)).fold(0.0, f64::max);
         problem.force_size = if size > 0.0 { size } else { 1.0 };
         newton(problem, &mut self.linear, tolerances, &mut self.step)
     }
@@ -104,10 +101,7 @@ impl Equilibrium {
     /// Fills and factorises the matrix at the current state and takes one full step.
     /// Returns whether the matrix was regular.
     pub fn newton_step(&mut self) -> bool {
-        let once = Tolerances {
-            iterations: 1,
-            ..Tolerances::default()
-        };
+        let once = Tolerances { iterations: 1, ..Tolerances::default() };
         self.solve(&once).status != super::newton::Status::Singular
     }
 }
@@ -120,12 +114,9 @@ impl Problem {
             let arm = self.scales.length / self.scales.coordinate(unknown);
             worst_of(worst, (inner - outer) / (arm_size(arm) * self.force_size))
         });
-        self.numbering
-            .kept()
-            .iter()
-            .fold(force, |worst, &equation| {
-                worst_of(worst, self.phi[equation] / self.sizes[equation])
-            })
+        self.numbering.kept().iter().fold(force, |worst, &equation| {
+            worst_of(worst, self.phi[equation] / self.sizes[equation])
+        })
     }
 }
 
@@ -134,23 +125,17 @@ fn arm_size(arm: f64) -> f64 {
 }
 
 fn worst_of(worst: f64, value: f64) -> f64 {
-    if value.is_nan() {
-        f64::INFINITY
-    } else {
-        worst.max(value.abs())
-    }
+    if value.is_nan() { f64::INFINITY } else { worst.max(value.abs()) }
 }
 
 impl Equations for Problem {
     fn residual(&mut self) -> f64 {
-        self.kkt
-            .residual(&self.state, &self.h, &self.lambda, &mut self.phi);
+        self.kkt.residual(&self.state, &self.h, &self.lambda, &mut self.phi);
         self.size()
     }
 
     fn linearise(&mut self) -> f64 {
-        self.kkt
-            .fill(&self.state, &self.h, &self.lambda, &mut self.phi);
+        self.kkt.fill(&self.state, &self.h, &self.lambda, &mut self.phi);
         self.size()
     }
 
@@ -160,10 +145,7 @@ impl Equations for Problem {
 
     fn right_side(&self, right_side: &mut [f64]) {
         let (force, phi) = right_side.split_at_mut(self.kkt.unknowns());
-        for (f, (inner, outer)) in force
-            .iter_mut()
-            .zip(self.kkt.force().iter().zip(&self.load))
-        {
+        for (f, (inner, outer)) in force.iter_mut().zip(self.kkt.force().iter().zip(&self.load)) {
             *f = outer - inner;
         }
         for (phi, &equation) in phi.iter_mut().zip(self.numbering.kept()) {
@@ -186,14 +168,7 @@ impl Equations for Problem {
 
     fn step_size(&self, step: &[f64]) -> f64 {
         let (change, multipliers) = step.split_at(self.kkt.unknowns());
-        let size = self
-            .scales
-            .change(change)
-            .max(largest(multipliers) / self.force_size);
-        if largest(step).is_finite() {
-            size
-        } else {
-            f64::INFINITY
-        }
+        let size = self.scales.change(change).max(largest(multipliers) / self.force_size);
+        if largest(step).is_finite() { size } else { f64::INFINITY }
     }
 }

@@ -163,10 +163,7 @@ pub(super) fn report(
             .iter()
             .map(|twists| {
                 let (description, bodies) = describe(mechanism, state, twists, scales.length);
-                FreeMotion {
-                    description,
-                    bodies,
-                }
+                FreeMotion { description, bodies }
             })
             .collect();
     }
@@ -189,11 +186,7 @@ fn names(
             Owner::Driver(driver) => mechanism.drivers()[driver.index()].name.clone(),
             Owner::Body(_) => continue,
         };
-        let name = if owner == of {
-            format!("{name} itself")
-        } else {
-            name
-        };
+        let name = if owner == of { format!("{name} itself") } else { name };
         if !names.contains(&name) {
             names.push(name);
         }

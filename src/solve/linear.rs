@@ -131,8 +131,7 @@ impl SparseLu {
             self.numeric
                 .solve_transpose_in_place_with_conj(rows, columns, conj, right_side, par, stack);
         } else {
-            self.numeric
-                .solve_in_place_with_conj(rows, columns, conj, right_side, par, stack);
+            self.numeric.solve_in_place_with_conj(rows, columns, conj, right_side, par, stack);
         }
     }
 
@@ -144,11 +143,7 @@ impl SparseLu {
         for (row, column, slot) in self.pattern.entries() {
             let value = self.values[slot];
             matrix = matrix.max(value.abs());
-            let (row, column) = if transposed {
-                (column, row)
-            } else {
-                (row, column)
-            };
+            let (row, column) = if transposed { (column, row) } else { (row, column) };
             residual[row] -= value * x[column];
         }
         let error = largest(residual) / (matrix * largest(x) + largest(b)).max(f64::MIN_POSITIVE);
@@ -188,11 +183,7 @@ impl LinearSolver for SparseLu {
         )
         .map_err(|_| Singular)?;
         self.sign = self.sign_of_determinant();
-        if self.sign == 0.0 {
-            Err(Singular)
-        } else {
-            Ok(())
-        }
+        if self.sign == 0.0 { Err(Singular) } else { Ok(()) }
     }
 
     fn solve(&mut self, right_side: &mut [f64]) -> Result<(), Singular> {
@@ -220,13 +211,12 @@ fn view(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, usize> {
 
 /// The largest absolute value; infinite if one is not a number.
 pub(super) fn largest(vector: &[f64]) -> f64 {
-    vector.iter().fold(0.0, |largest: f64, x| {
-        if x.is_nan() {
-            f64::INFINITY
-        } else {
-            largest.max(x.abs())
-        }
-    })
+    vector.iter().fold(
+        0.0,
+        |largest: f64, x| {
+            if x.is_nan() { f64::INFINITY } else { largest.max(x.abs()) }
+        },
+    )
 }
 
 fn permutation_sign(permutation: &[usize], visited: &mut [bool]) -> f64 {
@@ -291,11 +281,7 @@ mod tests {
             ([1, 2, 0, 4, 3], -1.0),
             ([4, 0, 1, 2, 3], 1.0),
         ] {
-            assert_eq!(
-                permutation_sign(&permutation, &mut visited),
-                sign,
-                "{permutation:?}"
-            );
+            assert_eq!(permutation_sign(&permutation, &mut visited), sign, "{permutation:?}");
         }
     }
 

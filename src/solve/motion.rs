@@ -21,10 +21,7 @@ impl Twist {
         let (e0_rate, e_rate) = (rate[3], [rate[4], rate[5], rate[6]]);
         let half = add(sub(scale(e0, e_rate), scale(e0_rate, e)), cross(e, e_rate));
         let rotation = scale(2.0, half);
-        let velocity = sub(
-            [rate[0], rate[1], rate[2]],
-            cross(rotation, [q[0], q[1], q[2]]),
-        );
+        let velocity = sub([rate[0], rate[1], rate[2]], cross(rotation, [q[0], q[1], q[2]]));
         Self { velocity, rotation }
     }
 
@@ -43,9 +40,7 @@ impl Twist {
     /// The largest component, velocities divided by `length`.
     pub fn size(&self, length: f64) -> f64 {
         let velocity = self.velocity.iter().map(|v| v.abs() / length);
-        velocity
-            .chain(self.rotation.iter().map(|w| w.abs()))
-            .fold(0.0, f64::max)
+        velocity.chain(self.rotation.iter().map(|w| w.abs())).fold(0.0, f64::max)
     }
 }
 
@@ -75,14 +70,7 @@ pub(super) fn localise(
             let twists = twists(state, &rates, scales);
             let scaled = |twist: &Twist| {
                 let v = scale(1.0 / scales.length, twist.velocity);
-                [
-                    v[0],
-                    v[1],
-                    v[2],
-                    twist.rotation[0],
-                    twist.rotation[1],
-                    twist.rotation[2],
-                ]
+                [v[0], v[1], v[2], twist.rotation[0], twist.rotation[1], twist.rotation[2]]
             };
             twists.iter().flat_map(scaled).collect()
         })
@@ -102,10 +90,7 @@ pub(super) fn localise(
         for (other, motion) in motions.iter_mut().enumerate() {
             if other != pivot_row {
                 let factor = motion[column];
-                motion
-                    .iter_mut()
-                    .zip(&pivot_motion)
-                    .for_each(|(x, p)| *x -= factor * p);
+                motion.iter_mut().zip(&pivot_motion).for_each(|(x, p)| *x -= factor * p);
             }
         }
     }
@@ -113,10 +98,7 @@ pub(super) fn localise(
         velocity: scale(scales.length, [six[0], six[1], six[2]]),
         rotation: [six[3], six[4], six[5]],
     };
-    motions
-        .iter()
-        .map(|motion| motion.chunks_exact(6).map(twist).collect())
-        .collect()
+    motions.iter().map(|motion| motion.chunks_exact(6).map(twist).collect()).collect()
 }
 
 /// Where a point of a body is (m).
@@ -140,10 +122,7 @@ pub(super) fn describe(
     twists: &[Twist],
     length: f64,
 ) -> (String, Vec<BodyId>) {
-    let largest = twists
-        .iter()
-        .map(|twist| twist.size(length))
-        .fold(0.0, f64::max);
+    let largest = twists.iter().map(|twist| twist.size(length)).fold(0.0, f64::max);
     let negligible = 1e-6 * largest;
     let mut groups: Vec<Vec<BodyId>> = vec![];
     for (body, twist) in twists.iter().enumerate() {
@@ -161,10 +140,8 @@ pub(super) fn describe(
     let words: Vec<String> = groups
         .iter()
         .map(|group| {
-            let names: Vec<&str> = group
-                .iter()
-                .map(|id| &*mechanism.bodies()[id.index()].name)
-                .collect();
+            let names: Vec<&str> =
+                group.iter().map(|id| &*mechanism.bodies()[id.index()].name).collect();
             let twist = &twists[group[0].index()];
             let how = how(mechanism, state, group, twist, length, negligible);
             if names.len() == 1 {
@@ -209,9 +186,7 @@ fn how(
         .collect();
     near.sort_by(|a, b| a.0.total_cmp(&b.0));
     let name = |point: PointId| &mechanism.points()[point.index()].name;
-    let on_axis = near
-        .iter()
-        .take_while(|(distance, ..)| *distance <= 1e-6 * length);
+    let on_axis = near.iter().take_while(|(distance, ..)| *distance <= 1e-6 * length);
     let first = on_axis.clone().min_by(|a, b| a.1.total_cmp(&b.1));
     let last = on_axis.max_by(|a, b| a.1.total_cmp(&b.1));
     match (first, last) {
@@ -219,18 +194,12 @@ fn how(
             format!("{verb} the line {}–{}", name(first.2), name(last.2))
         }
         (Some(only), _) => {
-            format!(
-                "{verb} an axis through {} along {}",
-                name(only.2),
-                direction(axis)
-            )
+            format!("{verb} an axis through {} along {}", name(only.2), direction(axis))
         }
         _ => {
-            let nearest = near
-                .first()
-                .map_or_else(String::new, |(distance, _, point)| {
-                    format!(", {:.3} mm from {}", distance * 1e3, name(*point))
-                });
+            let nearest = near.first().map_or_else(String::new, |(distance, _, point)| {
+                format!(", {:.3} mm from {}", distance * 1e3, name(*point))
+            });
             let [x, y, z] = foot.map(|c| c * 1e3 + 0.0);
             format!(
                 "{verb} an axis along {} through ({x:.3}, {y:.3}, {z:.3}) mm{nearest}",
@@ -255,20 +224,10 @@ fn points_on(mechanism: &Mechanism, bodies: &[BodyId]) -> Vec<(BodyId, PointId)>
             }
         };
     for joint in mechanism.joints() {
-        note(
-            joint.i,
-            joint.j,
-            Some(joint.kind.points()),
-            joint.kind.direction(),
-        );
+        note(joint.i, joint.j, Some(joint.kind.points()), joint.kind.direction());
     }
     for driver in mechanism.drivers() {
-        note(
-            driver.i,
-            driver.j,
-            driver.kind.points(),
-            driver.kind.direction(),
-        );
+        note(driver.i, driver.j, driver.kind.points(), driver.kind.direction());
     }
     found
 }
@@ -282,10 +241,7 @@ fn direction(vector: Vector<f64>) -> String {
         }
     }
     // A line has no sense: the first component that counts is printed positive.
-    let sign = unit
-        .iter()
-        .find(|c| c.abs() > 1e-6)
-        .map_or(1.0, |c| c.signum());
+    let sign = unit.iter().find(|c| c.abs() > 1e-6).map_or(1.0, |c| c.signum());
     let [x, y, z] = unit.map(|c| {
         let c = sign * c;
         if c.abs() < 5e-5 { 0.0 } else { c }

@@ -56,9 +56,7 @@ pub fn newton(
 
         // F_x Δx = −F
         equations.right_side(step);
-        let solved = linear
-            .factorise(equations.matrix())
-            .and_then(|()| linear.solve(step));
+        let solved = linear.factorise(equations.matrix()).and_then(|()| linear.solve(step));
         if solved.is_err() {
             outcome.status = Status::Singular;
             return outcome;

@@ -34,28 +34,19 @@ impl Scales {
         }
         let length = 0.5 * norm(diagonal);
         // All points in one place: a mechanism of rotations only.
-        Self {
-            length: if length > 1e-6 { length } else { 1.0 },
-        }
+        Self { length: if length > 1e-6 { length } else { 1.0 } }
     }
 
     /// A coordinate's own size: metres by the size of the mechanism, Euler parameters as they are.
     pub fn coordinate(&self, unknown: usize) -> f64 {
-        if unknown % BODY_COORDINATES < 3 {
-            self.length
-        } else {
-            1.0
-        }
+        if unknown % BODY_COORDINATES < 3 { self.length } else { 1.0 }
     }
 
     /// The largest scaled component of a change of coordinates.
     pub fn change(&self, change: &[f64]) -> f64 {
-        change
-            .iter()
-            .enumerate()
-            .fold(0.0, |largest: f64, (unknown, dq)| {
-                largest.max(dq.abs() / self.coordinate(unknown))
-            })
+        change.iter().enumerate().fold(0.0, |largest: f64, (unknown, dq)| {
+            largest.max(dq.abs() / self.coordinate(unknown))
+        })
     }
 }
 
@@ -167,16 +158,12 @@ impl Position {
     pub fn worst_equation(&mut self) -> (usize, f64) {
         self.evaluate();
         let relative = self.phi.iter().zip(&self.sizes);
-        relative
-            .map(|(phi, scale)| phi.abs() / scale)
-            .enumerate()
-            .fold((0, 0.0), |worst, (equation, value)| {
-                if value > worst.1 || value.is_nan() {
-                    (equation, value)
-                } else {
-                    worst
-                }
-            })
+        relative.map(|(phi, scale)| phi.abs() / scale).enumerate().fold(
+            (0, 0.0),
+            |worst, (equation, value)| {
+                if value > worst.1 || value.is_nan() { (equation, value) } else { worst }
+            },
+        )
     }
 
     /// Φ of one equation at the last evaluation.
@@ -193,17 +180,10 @@ impl Position {
     }
 
     fn relative_residual(&self) -> f64 {
-        self.numbering
-            .kept()
-            .iter()
-            .fold(0.0, |worst: f64, &equation| {
-                let relative = self.phi[equation].abs() / self.sizes[equation];
-                if relative.is_nan() {
-                    f64::INFINITY
-                } else {
-                    worst.max(relative)
-                }
-            })
+        self.numbering.kept().iter().fold(0.0, |worst: f64, &equation| {
+            let relative = self.phi[equation].abs() / self.sizes[equation];
+            if relative.is_nan() { f64::INFINITY } else { worst.max(relative) }
+        })
     }
 }
 
@@ -248,11 +228,7 @@ impl Equations for Position {
 
     fn step_size(&self, step: &[f64]) -> f64 {
         let change = &step[..self.unknowns()];
-        if largest(change).is_finite() {
-            self.scales.change(change)
-        } else {
-            f64::INFINITY
-        }
+        if largest(change).is_finite() { self.scales.change(change) } else { f64::INFINITY }
     }
 }
 

@@ -69,12 +69,7 @@ pub(super) fn select(expansion: &Expansion, jacobian: MatRef<'_, f64>) -> Select
     let drivers = of(|owner| matches!(owner, Owner::Driver(_)));
     let blocked = stage(&drivers);
     let joint_rank = kept.len() - (drivers.len() - blocked.len());
-    Selection {
-        left_out,
-        blocked,
-        kept,
-        joint_rank,
-    }
+    Selection { left_out, blocked, kept, joint_rank }
 }
 
 /// Adds the independent ones of `equations` to `kept` and to the orthonormal
@@ -97,18 +92,14 @@ fn extend(
     }
     let factors = rest.col_piv_qr();
     let upper = factors.thin_R();
-    let rank = (0..upper.nrows())
-        .take_while(|&k| upper[(k, k)].abs() > ZERO)
-        .count();
+    let rank = (0..upper.nrows()).take_while(|&k| upper[(k, k)].abs() > ZERO).count();
     let thin = factors.compute_thin_Q();
-    *basis = Mat::from_fn(
-        basis.nrows(),
-        basis.ncols() + rank,
-        |row, column| match column.checked_sub(basis.ncols()) {
+    *basis = Mat::from_fn(basis.nrows(), basis.ncols() + rank, |row, column| {
+        match column.checked_sub(basis.ncols()) {
             Some(new) => thin[(row, new)],
             None => basis[(row, column)],
-        },
-    );
+        }
+    });
     let order = factors.P().arrays().0;
     kept.extend(order[..rank].iter().map(|&k| equations[k]));
     let mut dependent: Vec<usize> = order[rank..].iter().map(|&k| equations[k]).collect();
@@ -119,32 +110,20 @@ fn extend(
 /// The kept equations that a dependent one is a combination of.
 pub(super) fn holders(jacobian: MatRef<'_, f64>, kept: &[usize], dependent: usize) -> Vec<usize> {
     use faer::linalg::solvers::SolveLstsq;
-    let columns = Mat::from_fn(jacobian.ncols(), kept.len(), |unknown, k| {
-        jacobian[(kept[k], unknown)]
-    });
-    let right_side = Mat::from_fn(jacobian.ncols(), 1, |unknown, _| {
-        jacobian[(dependent, unknown)]
-    });
+    let columns =
+        Mat::from_fn(jacobian.ncols(), kept.len(), |unknown, k| jacobian[(kept[k], unknown)]);
+    let right_side = Mat::from_fn(jacobian.ncols(), 1, |unknown, _| jacobian[(dependent, unknown)]);
     let weights = columns.qr().solve_lstsq(&right_side);
-    (0..kept.len())
-        .filter(|&k| weights[(k, 0)].abs() > 1e-6)
-        .map(|k| kept[k])
-        .collect()
+    (0..kept.len()).filter(|&k| weights[(k, 0)].abs() > 1e-6).map(|k| kept[k]).collect()
 }
 
 /// An orthonormal basis of the motions (columns, scaled) that the kept equations allow.
 pub(super) fn null_space(jacobian: MatRef<'_, f64>, kept: &[usize]) -> Option<Mat<f64>> {
     let unknowns = jacobian.ncols();
-    let rows = Mat::from_fn(kept.len(), unknowns, |k, unknown| {
-        jacobian[(kept[k], unknown)]
-    });
+    let rows = Mat::from_fn(kept.len(), unknowns, |k, unknown| jacobian[(kept[k], unknown)]);
     let factors = rows.svd().ok()?;
     let v = factors.V();
-    Some(Mat::from_fn(
-        unknowns,
-        unknowns - kept.len(),
-        |row, column| v[(row, kept.len() + column)],
-    ))
+    Some(Mat::from_fn(unknowns, unknowns - kept.len(), |row, column| v[(row, kept.len() + column)]))
 }
 
 /// The smallest singular value of the given equations with its left vector (by
@@ -163,8 +142,6 @@ pub(super) fn weakest(
     for (k, &equation) in equations.iter().enumerate() {
         left[equation] = factors.U()[(k, last)];
     }
-    let right = (0..jacobian.ncols())
-        .map(|unknown| factors.V()[(unknown, last)])
-        .collect();
+    let right = (0..jacobian.ncols()).map(|unknown| factors.V()[(unknown, last)]).collect();
     Some((singular_value, left, right))
 }

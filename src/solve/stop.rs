@@ -122,10 +122,7 @@ impl fmt::Display for StopReason {
                 }
                 write!(f, "; the drivers no longer control this motion: {motion}")
             }
-            Self::NoConvergence {
-                equation,
-                relative_residual,
-            } => write!(
+            Self::NoConvergence { equation, relative_residual } => write!(
                 f,
                 "no convergence; the largest relative residual is {relative_residual:.1e} in {equation}"
             ),
@@ -140,10 +137,7 @@ impl fmt::Display for StopReason {
                  the joints hold this motion; make their axes exactly parallel, or free one of them"
             ),
             Self::NotFinite { driver } => {
-                write!(
-                    f,
-                    "driver {driver} was given a value that is not a finite number"
-                )
+                write!(f, "driver {driver} was given a value that is not a finite number")
             }
         }
     }
@@ -179,14 +173,8 @@ pub(super) fn explain(
     {
         let motion = twists(&position.state, &right, scales);
         let (words, _) = describe(mechanism, &position.state, &motion, scales.length);
-        let joint = nearest_joint(
-            mechanism,
-            expansion,
-            &position.state,
-            &left,
-            &motion,
-            scales.length,
-        );
+        let joint =
+            nearest_joint(mechanism, expansion, &position.state, &left, &motion, scales.length);
         return StopReason::DeadCentre {
             joint: joint.map(|joint| {
                 let joint = &mechanism.joints()[joint];
@@ -196,10 +184,7 @@ pub(super) fn explain(
         };
     }
     match failure {
-        Failure::Corrector {
-            equation,
-            relative_residual,
-        } => StopReason::NoConvergence {
+        Failure::Corrector { equation, relative_residual } => StopReason::NoConvergence {
             equation: expansion.label(equation).to_owned(),
             relative_residual,
         },
@@ -222,9 +207,7 @@ fn nearest_joint(
     motion: &[Twist],
     length: f64,
 ) -> Option<usize> {
-    let largest = load
-        .iter()
-        .fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    let largest = load.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
     let loaded = |owner: Owner| {
         let loads = load.iter().enumerate();
         loads

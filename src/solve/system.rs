@@ -98,10 +98,7 @@ impl System {
         if !h.iter().chain(&sizes).all(|number| number.is_finite()) {
             return Err(SystemError::NotFinite);
         }
-        sizes
-            .iter_mut()
-            .filter(|size| **size == 0.0)
-            .for_each(|size| *size = 1.0);
+        sizes.iter_mut().filter(|size| **size == 0.0).for_each(|size| *size = 1.0);
 
         let freedom = freedom::report(&mechanism, &expansion, jacobian.as_ref(), &state, scales);
         if let Some(blocked) = freedom.blocked_drivers.first() {
@@ -179,9 +176,9 @@ impl System {
             self.set_driver(driver, value);
         }
         let moved = match self.targets.iter().position(|value| !value.is_finite()) {
-            Some(driver) => Err(StopReason::NotFinite {
-                driver: self.mechanism.drivers()[driver].name.clone(),
-            }),
+            Some(driver) => {
+                Err(StopReason::NotFinite { driver: self.mechanism.drivers()[driver].name.clone() })
+            }
             None => self
                 .travel
                 .move_to(&mut self.position, &self.design, &self.targets)

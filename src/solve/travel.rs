@@ -12,12 +12,8 @@ use super::system::StepReport;
 use crate::relation::Coordinates;
 
 /// The corrector: few iterations, each step much shorter than the one before.
-const CORRECTOR: Tolerances = Tolerances {
-    step: 1e-9,
-    residual: 1e-12,
-    iterations: 8,
-    contraction: 0.1,
-};
+const CORRECTOR: Tolerances =
+    Tolerances { step: 1e-9, residual: 1e-12, iterations: 8, contraction: 0.1 };
 
 /// The shortest step, as a part of the motion.
 const SHORTEST: f64 = 1e-10;
@@ -112,17 +108,11 @@ impl Travel {
         for (&slot, (from, to)) in self.slots.iter().zip(self.values.iter().zip(targets)) {
             self.dh[slot] = to - from;
         }
-        let sign = self
-            .first_tangent(position)
-            .map_err(|Singular| Failure::Singular)?;
+        let sign = self.first_tangent(position).map_err(|Singular| Failure::Singular)?;
 
         let (mut t, mut dt): (f64, f64) = (0.0, 1.0);
         while t < 1.0 {
-            let next = if t + dt >= 1.0 - SHORTEST {
-                1.0
-            } else {
-                t + dt
-            };
+            let next = if t + dt >= 1.0 - SHORTEST { 1.0 } else { t + dt };
             self.start.copy_from_slice(&position.state);
             let outcome = self.step(position, design, targets, [t, next], sign, &mut report);
             match outcome {
@@ -166,10 +156,7 @@ impl Travel {
                 Status::Singular => Failure::Singular,
                 _ => {
                     let (equation, relative_residual) = position.worst_equation();
-                    Failure::Corrector {
-                        equation,
-                        relative_residual,
-                    }
+                    Failure::Corrector { equation, relative_residual }
                 }
             });
         }

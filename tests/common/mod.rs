@@ -49,18 +49,7 @@ pub fn double_wishbone(
     for (name, position) in SEDAN {
         points.push(m.add_point(name, place(position))?);
     }
-    let [
-        lca_f,
-        lca_r,
-        lca_o,
-        uca_f,
-        uca_r,
-        uca_o,
-        tie_i,
-        tie_o,
-        wheel,
-    ] = points[..]
-    else {
+    let [lca_f, lca_r, lca_o, uca_f, uca_r, uca_o, tie_i, tie_o, wheel] = points[..] else {
         unreachable!()
     };
     let origin = |k: usize| place(SEDAN[k].1);
@@ -73,69 +62,26 @@ pub fn double_wishbone(
     let between = Direction::Between;
     let lateral = Direction::Fixed(turn([0.0, 1.0, 0.0]));
     let revolute = |at, axis| JointKind::Revolute { at, axis };
-    m.add_joint(
-        "lca_pivot",
-        ground,
-        lca,
-        revolute(lca_f, between(lca_f, lca_r)),
-    )?;
-    m.add_joint(
-        "uca_pivot",
-        ground,
-        uca,
-        revolute(uca_f, between(uca_f, uca_r)),
-    )?;
-    m.add_joint(
-        "lca_outer",
-        lca,
-        upright,
-        JointKind::Spherical { at: lca_o },
-    )?;
-    m.add_joint(
-        "uca_outer",
-        uca,
-        upright,
-        JointKind::Spherical { at: uca_o },
-    )?;
-    m.add_joint(
-        "tierod_outer",
-        tierod,
-        upright,
-        JointKind::Spherical { at: tie_o },
-    )?;
+    m.add_joint("lca_pivot", ground, lca, revolute(lca_f, between(lca_f, lca_r)))?;
+    m.add_joint("uca_pivot", ground, uca, revolute(uca_f, between(uca_f, uca_r)))?;
+    m.add_joint("lca_outer", lca, upright, JointKind::Spherical { at: lca_o })?;
+    m.add_joint("uca_outer", uca, upright, JointKind::Spherical { at: uca_o })?;
+    m.add_joint("tierod_outer", tierod, upright, JointKind::Spherical { at: tie_o })?;
     let inner = match tie_rod {
-        TieRod::Universal => JointKind::Universal {
-            at: tie_i,
-            shaft: between(tie_i, tie_o),
-        },
+        TieRod::Universal => JointKind::Universal { at: tie_i, shaft: between(tie_i, tie_o) },
         TieRod::Spherical => JointKind::Spherical { at: tie_i },
     };
     m.add_joint("tierod_inner", rack, tierod, inner)?;
-    let slide = JointKind::Translational {
-        at: tie_i,
-        axis: lateral,
-    };
+    let slide = JointKind::Translational { at: tie_i, axis: lateral };
     m.add_joint("rack_housing", ground, rack, slide)?;
     let height = DriverKind::Height { at: wheel };
     let travel = m.add_driver("travel", ground, upright, height)?;
-    let displacement = DriverKind::Displacement {
-        at: tie_i,
-        along: lateral,
-    };
+    let displacement = DriverKind::Displacement { at: tie_i, along: lateral };
     let steer = m.add_driver("rack_travel", ground, rack, displacement)?;
-    Ok(DoubleWishbone {
-        mechanism: m,
-        upright,
-        wheel_center: wheel,
-        travel,
-        steer,
-    })
+    Ok(DoubleWishbone { mechanism: m, upright, wheel_center: wheel, travel, steer })
 }
 
 /// The largest difference of two vectors.
 pub fn difference(a: &[f64], b: &[f64]) -> f64 {
-    a.iter()
-        .zip(b)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max)
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }

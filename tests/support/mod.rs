@@ -86,9 +86,7 @@ impl State {
         for body in [0, 7] {
             unit(&mut q[body + 3..body + 7]);
         }
-        let mut h: Vec<f64> = (0..shape.parameter_count())
-            .map(|_| symmetric(rng))
-            .collect();
+        let mut h: Vec<f64> = (0..shape.parameter_count()).map(|_| symmetric(rng)).collect();
         for parameter in shape.parameters {
             let range = parameter.offset..parameter.offset + parameter.size;
             if parameter.size == 3 && parameter.unit == "1" {
@@ -117,21 +115,9 @@ fn unit(vector: &mut [f64]) {
 pub fn rotation_matrix(p: &[f64]) -> [[f64; 3]; 3] {
     let (e0, e1, e2, e3) = (p[0], p[1], p[2], p[3]);
     [
-        [
-            2.0 * (e0 * e0 + e1 * e1) - 1.0,
-            2.0 * (e1 * e2 - e0 * e3),
-            2.0 * (e1 * e3 + e0 * e2),
-        ],
-        [
-            2.0 * (e1 * e2 + e0 * e3),
-            2.0 * (e0 * e0 + e2 * e2) - 1.0,
-            2.0 * (e2 * e3 - e0 * e1),
-        ],
-        [
-            2.0 * (e1 * e3 - e0 * e2),
-            2.0 * (e2 * e3 + e0 * e1),
-            2.0 * (e0 * e0 + e3 * e3) - 1.0,
-        ],
+        [2.0 * (e0 * e0 + e1 * e1) - 1.0, 2.0 * (e1 * e2 - e0 * e3), 2.0 * (e1 * e3 + e0 * e2)],
+        [2.0 * (e1 * e2 + e0 * e3), 2.0 * (e0 * e0 + e2 * e2) - 1.0, 2.0 * (e2 * e3 - e0 * e1)],
+        [2.0 * (e1 * e3 - e0 * e2), 2.0 * (e2 * e3 + e0 * e1), 2.0 * (e0 * e0 + e3 * e3) - 1.0],
     ]
 }
 

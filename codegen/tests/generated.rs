@@ -1,0 +1,75 @@
+//! What is generated: its text, its operation counts, and that it is the same every time.
+
+use std::path::Path;
+
+use hardpoint_codegen::source::{Source, read_folder};
+use hardpoint_codegen::{Generated, generate};
+
+fn folder(name: &str) -> Vec<Source> {
+    read_folder(&Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).expect("the folder is there")
+}
+
+fn relations() -> Vec<Source> {
+    folder("../constraints")
+}
+
+fn generated(sources: Vec<Source>) -> Generated {
+    generate(sources).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Additions + multiplications of the five programs of every relation.
+///
+/// A larger number needs a reason; a smaller one is written here and kept.
+#[test]
+fn operation_counts_are_pinned() {
+    let found: Vec<(String, Vec<usize>)> = generated(relations())
+        .kernels
+        .iter()
+        .map(|kernel| {
+            let counts = kernel.programs.iter().map(|program| program.operations().total());
+            (kernel.relation.name.clone(), counts.collect())
+        })
+        .collect();
+    let pinned = [
+        ("displacement", [138, 213, 455, 644, 719]),
+        ("distance", [97, 163, 682, 637, 700]),
+        ("euler_parameters", [8, 12, 13, 0, 4]),
+        ("orthogonal_1", [87, 135, 246, 386, 510]),
+        ("orthogonal_2", [137, 212, 454, 644, 719]),
+        ("patch_height", [60, 81, 143, 126, 206]),
+        ("point_height", [29, 34, 40, 23, 49]),
+        ("rotation", [136, 226, 373, 767, 735]),
+        ("spherical", [91, 106, 158, 120, 156]),
+        ("squared_distance", [98, 148, 372, 580, 524]),
+    ];
+    let pinned: Vec<(String, Vec<usize>)> =
+        pinned.iter().map(|(name, counts)| ((*name).to_owned(), counts.to_vec())).collect();
+    assert_eq!(found, pinned);
+}
+
+/// The text of one small relation, and of one that states `work`.
+#[test]
+fn text_of_small_relations() {
+    let mut sources = folder("tests/right");
+    sources.retain(|source| source.name == "moment_in_space");
+    sources.extend(relations().into_iter().filter(|source| source.name == "euler_parameters"));
+    for file in generated(sources).files {
+        insta::assert_snapshot!(file.name, file.text);
+    }
+}
+
+/// A relation gives the same bytes whatever was generated before it.
+#[test]
+fn text_does_not_depend_on_the_other_relations() {
+    let all = generated(relations()).files;
+    let mut backwards = relations();
+    backwards.reverse();
+    let backwards = generated(backwards).files;
+    for file in &all[..all.len() - 1] {
+        let other = backwards.iter().find(|other| other.name == file.name);
+        assert_eq!(other, Some(file));
+        let name = file.name.trim_end_matches(".rs");
+        let alone = relations().into_iter().filter(|source| source.name == name).collect();
+        assert_eq!(&generated(alone).files[0], file);
+    }
+}

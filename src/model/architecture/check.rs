@@ -1,0 +1,113 @@
+//! Checks that an architecture hangs together: everything is connected and everything is used.
+
+use std::ops::Range;
+
+use super::Architecture;
+use crate::mechanism::{BodyId, Direction, JointKind, PointId};
+use crate::model::diagnostics::Report;
+
+/// Where the text names points, bodies and the steer axis.
+pub(super) struct Places<'a> {
+    pub(super) points: &'a [Range<usize>],
+    pub(super) bodies: &'a [Range<usize>],
+    pub(super) steer_axis: Range<usize>,
+}
+
+pub(super) fn check(architecture: &Architecture, places: &Places, report: &mut Report) {
+    bodies_hang_on_the_ground(architecture, places.bodies, report);
+    points_are_used(architecture, places.points, report);
+    steer_axis_is_held(architecture, &places.steer_axis, report);
+}
+
+/// Every body must be joined to the ground, directly or through other bodies.
+fn bodies_hang_on_the_ground(
+    architecture: &Architecture,
+    spans: &[Range<usize>],
+    report: &mut Report,
+) {
+    let mut reached = vec![false; architecture.bodies.len() + 1];
+    reached[BodyId::GROUND.0] = true;
+    // Each pass reaches at least one body more, or none is left to reach.
+    for _ in 0..reached.len() {
+        for joint in &architecture.joints {
+            let either = reached[joint.i.0] || reached[joint.j.0];
+            reached[joint.i.0] = either;
+            reached[joint.j.0] = either;
+        }
+    }
+    for (index, (body, span)) in architecture.bodies.iter().zip(spans).enumerate() {
+        let id = BodyId(index + 1);
+        if reached[id.0] {
+            continue;
+        }
+        let joined = architecture.joints.iter().any(|joint| joint.i == id || joint.j == id);
+        let ground = &architecture.ground;
+        let message = if joined {
+            format!("no chain of joints connects the body `{}` to `{ground}`", body.name)
+        } else {
+            format!("no joint holds the body `{}`", body.name)
+        };
+        report
+            .mistake(span, message, "would float away")
+            .help("add the joint that is missing, or remove the body");
+    }
+}
+
+fn points_are_used(architecture: &Architecture, spans: &[Range<usize>], report: &mut Report) {
+    let mut used = vec![false; architecture.points.len()];
+    used[architecture.wheel.center.0] = true;
+    let mut mark = |point: PointId| used[point.0] = true;
+    if let Some(axis) = architecture.steer_axis {
+        mark(axis.lower.0);
+        mark(axis.upper.0);
+    }
+    for joint in &architecture.joints {
+        let direction = match joint.kind {
+            JointKind::Spherical { at } | JointKind::Fixed { at } => {
+                mark(at);
+                None
+            }
+            JointKind::Revolute { at, axis: direction }
+            | JointKind::Translational { at, axis: direction }
+            | JointKind::Cylindrical { at, axis: direction }
+            | JointKind::InLine { at, axis: direction }
+            | JointKind::InPlane { at, normal: direction }
+            | JointKind::Universal { at, shaft: direction } => {
+                mark(at);
+                Some(direction)
+            }
+            JointKind::Link { on_i, on_j } => Some(Direction::Between(on_i, on_j)),
+        };
+        if let Some(Direction::Between(from, to)) = direction {
+            mark(from);
+            mark(to);
+        }
+    }
+    for ((point, span), used) in architecture.points.iter().zip(spans).zip(used) {
+        if !used {
+            let message = format!("nothing uses the point `{}`", point.name);
+            report
+                .mistake(span, message, "unused")
+                .help("move it to [optional_points], or use it in a joint");
+        }
+    }
+}
+
+/// The steer axis goes through joints, so that its points are known in every position.
+fn steer_axis_is_held(architecture: &Architecture, span: &Range<usize>, report: &mut Report) {
+    let Some(axis) = architecture.steer_axis else {
+        return;
+    };
+    for (point, body) in [axis.lower, axis.upper] {
+        if !architecture.joint_points(body).contains(&point) {
+            let message = format!(
+                "the steer axis takes `{}` on the body `{}`, but no joint holds that body there",
+                architecture.point_name(point),
+                architecture.body_name(body)
+            );
+            report
+                .mistake(span, message, "this axis")
+                .help("name a body that has a joint at this point");
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Suspension topologies as data: which points, bodies and joints a suspension has.
+
+mod check;
+mod joints;
+mod read;
+
+use include_dir::{Dir, include_dir};
+
+use super::diagnostics::{ModelDiagnostics, Report, SourceFile};
+use crate::mechanism::{BodyId, Direction, Joint, JointKind, PointId};
+
+/// The architectures that come with the program, so that an installed binary has them.
+static BUILT_IN: Dir = include_dir!("$CARGO_MANIFEST_DIR/architectures");
+
+/// A suspension topology, read from `architectures/NAME.toml` or a file of the user.
+///
+/// Its joints number the bodies with the ground as 0 and the points in the order of the file;
+/// [`Model::suspension`](super::Model::suspension) adds them to the mechanism in that order.
+#[derive(Clone, Debug)]
+pub struct Architecture {
+    pub(crate) title: String,
+    pub(crate) description: Option<String>,
+    pub(crate) ground: String,
+    pub(crate) points: Vec<PointRole>,
+    pub(crate) optional_points: Vec<PointRole>,
+    /// Moving bodies; `BodyId(1)` is the first of them.
+    pub(crate) bodies: Vec<BodyRole>,
+    pub(crate) joints: Vec<Joint>,
+    /// Index of the joint along which steering moves the rack.
+    pub(crate) rack: Option<usize>,
+    pub(crate) wheel: WheelRole,
+    pub(crate) steer_axis: Option<SteerAxis>,
+}
+
+/// A named point and what it is.
+#[derive(Clone, Debug)]
+pub struct PointRole {
+    /// The name, as in model files.
+    pub name: String,
+    /// What the point is on a real suspension.
+    pub meaning: String,
+    /// Whether the point may lie across the centre line of the vehicle.
+    pub may_cross: bool,
+}
+
+/// A moving body and what it is.
+#[derive(Clone, Debug)]
+pub struct BodyRole {
+    /// The name that messages use.
+    pub name: String,
+    /// What the body is on a real suspension.
+    pub meaning: String,
+}
+
+/// Which body carries the wheel.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WheelRole {
+    pub(crate) body: BodyId,
+    pub(crate) center: PointId,
+}
+
+/// A steer axis through two joints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SteerAxis {
+    /// The lower point and the body it belongs to.
+    pub lower: (PointId, BodyId),
+    /// The upper point and the body it belongs to.
+    pub upper: (PointId, BodyId),
+}
+
+impl Architecture {
+    /// The names of the built-in architectures, sorted.
+    pub fn built_in_names() -> Vec<&'static str> {
+        let mut names: Vec<_> = BUILT_IN
+            .files()
+            .filter_map(|file| file.path().file_name()?.to_str()?.strip_suffix(".toml"))
+            .collect();
+        names.sort_unstable();
+        names
+    }
+
+    /// The built-in architecture of this name, `None` where there is none.
+    ///
+    /// # Errors
+    /// [`ModelDiagnostics`] where the file is wrong.
+    pub fn built_in(name: &str) -> Option<Result<Self, ModelDiagnostics>> {
+        let file = BUILT_IN.get_file(format!("{name}.toml"))?;
+        let text = file.contents_utf8()?;
+        Some(Self::parse(&format!("architectures/{name}.toml"), text))
+    }
+
+    /// Reads an architecture from the text of a file; `name` is the file name that messages show.
+    ///
+    /// # Errors
+    /// [`ModelDiagnostics`] with every mistake of the file.
+    pub fn parse(name: &str, text: &str) -> Result<Self, ModelDiagnostics> {
+        let file = SourceFile::new(name, text);
+        let mut report = Report::new(file.clone());
+        let architecture = super::read::read_file(&file, &mut report, read::read);
+        super::finish(architecture, report)
+    }
+
+    /// The title, such as `Double wishbone`.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// What the suspension is made of.
+    pub fn description(&self) -> Option<&str> {
+        self.description.as_deref()
+    }
+
+    /// The points that a model must have, in the order of the file.
+    pub fn points(&self) -> &[PointRole] {
+        &self.points
+    }
+
+    /// The points that a model may have.
+    pub fn optional_points(&self) -> &[PointRole] {
+        &self.optional_points
+    }
+
+    /// The moving bodies.
+    pub fn bodies(&self) -> &[BodyRole] {
+        &self.bodies
+    }
+
+    /// The body that never moves, such as `chassis`.
+    pub fn ground(&self) -> &str {
+        &self.ground
+    }
+
+    pub(crate) fn point_name(&self, point: PointId) -> &str {
+        &self.points[point.0].name
+    }
+
+    pub(crate) fn body_name(&self, body: BodyId) -> &str {
+        match body.0 {
+            0 => &self.ground,
+            moving => &self.bodies[moving - 1].name,
+        }
+    }
+
+    /// The points at which joints hold a body, each once. A line that the body
+    /// shares with its neighbour counts with both of its points.
+    pub(crate) fn joint_points(&self, body: BodyId) -> Vec<PointId> {
+        let mut points = vec![];
+        for joint in &self.joints {
+            if body != joint.i && body != joint.j {
+                continue;
+            }
+            points.extend(match joint.kind {
+                JointKind::Revolute { at, axis } | JointKind::Cylindrical { at, axis } => {
+                    let [from, to] = ends(axis, at);
+                    vec![at, from, to]
+                }
+                JointKind::Link { on_i, .. } if body == joint.i => vec![on_i],
+                JointKind::Link { on_j, .. } => vec![on_j],
+                JointKind::Spherical { at }
+                | JointKind::Universal { at, .. }
+                | JointKind::Translational { at, .. }
+                | JointKind::Fixed { at }
+                | JointKind::InPlane { at, .. }
+                | JointKind::InLine { at, .. } => vec![at],
+            });
+        }
+        points.sort_unstable();
+        points.dedup();
+        points
+    }
+}
+
+/// The points of a direction, or `at` twice for a constant direction.
+fn ends(direction: Direction, at: PointId) -> [PointId; 2] {
+    match direction {
+        Direction::Between(from, to) => [from, to],
+        Direction::Fixed(_) => [at, at],
+    }
+}

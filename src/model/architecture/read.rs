@@ -1,0 +1,279 @@
+//! From the text of an architecture file to [`Architecture`].
+
+use std::ops::Range;
+
+use toml::Spanned;
+
+use super::{Architecture, BodyRole, PointRole, SteerAxis, WheelRole, check, joints};
+use crate::mechanism::{BodyId, Joint, JointKind, PointId};
+use crate::model::diagnostics::Report;
+use crate::model::read::{FromToml, Section, as_section};
+use crate::model::suggest;
+
+/// The points and bodies that joints may name, with their places in the text.
+pub(super) struct Names {
+    pub(super) ground: String,
+    pub(super) points: Vec<PointRole>,
+    pub(super) point_spans: Vec<Range<usize>>,
+    pub(super) optional_points: Vec<PointRole>,
+    pub(super) bodies: Vec<BodyRole>,
+    pub(super) body_spans: Vec<Range<usize>>,
+}
+
+pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architecture> {
+    let title = root.required::<String>("title", "write `title = \"Double wishbone\"`", report);
+    let description = root.optional::<String>("description", report);
+    let ground = root.required::<String>(
+        "ground",
+        "name the body that never moves: `ground = \"chassis\"`",
+        report,
+    );
+    let ground = ground.map_or("chassis".to_owned(), Spanned::into_inner);
+    let names = names(root, ground, report);
+    let read_joints = joints::read(root, &names, report);
+    let rack = rack(root, &read_joints, report);
+    let wheel = wheel(root, &names, report);
+    let steer_axis = steer_axis(root, &names, report);
+    let axis_span = steer_axis.as_ref().map(Spanned::span);
+    if !report.mistakes.is_empty() {
+        return None;
+    }
+    let architecture = Architecture {
+        title: title?.into_inner(),
+        description: description.map(Spanned::into_inner),
+        ground: names.ground,
+        points: names.points,
+        optional_points: names.optional_points,
+        bodies: names.bodies,
+        joints: read_joints.into_iter().filter_map(|(_, j)| j).collect(),
+        rack,
+        wheel: wheel?,
+        steer_axis: steer_axis.map(Spanned::into_inner),
+    };
+    let places = check::Places {
+        points: &names.point_spans,
+        bodies: &names.body_spans,
+        steer_axis: axis_span.unwrap_or(0..0),
+    };
+    check::check(&architecture, &places, report);
+    Some(architecture)
+}
+
+fn names(root: &mut Section, ground: String, report: &mut Report) -> Names {
+    let mut names = Names {
+        ground,
+        points: vec![],
+        point_spans: vec![],
+        optional_points: vec![],
+        bodies: vec![],
+        body_spans: vec![],
+    };
+    let help = "list the hard points: `lca_front = \"Lower control arm, front pivot\"`";
+    if let Some(section) = root.section("points", help, report) {
+        for (name, point) in points(&section, report) {
+            names.point_spans.push(name.span());
+            names.points.push(point);
+        }
+        section.not_empty(help, report);
+    }
+    if let Some(section) = root.optional_section("optional_points", help, report) {
+        for (name, point) in points(&section, report) {
+            if names.points.iter().any(|known| known.name == point.name) {
+                let message = format!("`{}` is both required and optional", point.name);
+                report
+                    .mistake(&name.span(), message, "also in [points]")
+                    .help("keep it in one of the two sections");
+            }
+            names.optional_points.push(point);
+        }
+    }
+    let help = "list the moving bodies: `upright = \"Upright with hub and wheel\"`";
+    if let Some(section) = root.section("bodies", help, report) {
+        for (name, value) in section.entries() {
+            check_name(&name, report);
+            let meaning = String::read(value, &format!("`{}`", name.get_ref()), report);
+            if *name.get_ref() == names.ground {
+                report
+                    .mistake(&name.span(), "the ground is listed as a moving body", "the ground")
+                    .help("remove this line");
+            }
+            names.body_spans.push(name.span());
+            names
+                .bodies
+                .push(BodyRole { name: name.into_inner(), meaning: meaning.unwrap_or_default() });
+        }
+        section.not_empty(help, report);
+    }
+    names
+}
+
+/// Names stand in messages and in the headers of tables, so they must be visible words.
+fn check_name(name: &Spanned<String>, report: &mut Report) {
+    let word = name.get_ref();
+    if word.is_empty() || word.contains(|c: char| c.is_whitespace() || c.is_control()) {
+        report
+            .mistake(&name.span(), "a name must be one word", "not one word")
+            .help("join the words with `_`, as in `lca_front`");
+    }
+}
+
+const POINT_HELP: &str = "say what the point is: `meaning = \"…\"`";
+
+/// A point is its meaning, or a table `{ meaning = "…", may_cross = true }`.
+fn points(section: &Section, report: &mut Report) -> Vec<(Spanned<String>, PointRole)> {
+    let mut points = vec![];
+    for (name, value) in section.entries() {
+        check_name(&name, report);
+        let what = format!("`{}`", name.get_ref());
+        let (meaning, may_cross) = if value.get_ref().is_table() {
+            let Some(mut table) = as_section(value, what, POINT_HELP, report) else {
+                continue;
+            };
+            let meaning = table.required::<String>("meaning", POINT_HELP, report);
+            let may_cross = table.optional::<bool>("may_cross", report);
+            table.finish(report);
+            (meaning.map(Spanned::into_inner), may_cross.is_some_and(Spanned::into_inner))
+        } else {
+            (String::read(value, &what, report), false)
+        };
+        let role = PointRole {
+            name: name.get_ref().clone(),
+            meaning: meaning.unwrap_or_default(),
+            may_cross,
+        };
+        points.push((name, role));
+    }
+    points
+}
+
+fn wheel(root: &mut Section, names: &Names, report: &mut Report) -> Option<WheelRole> {
+    let help = "say which body carries the wheel: `body = …` and `center = …`";
+    let mut section = root.section("wheel", help, report)?;
+    let body = section.required("body", "name the body that carries the wheel", report);
+    let center = section.required("center", "name the point in the wheel centre", report);
+    section.finish(report);
+    let body = body.and_then(|body| names.body(&body, report).map(|id| (id, body)));
+    let center = center.and_then(|center| names.point(&center, report));
+    let (body, name) = body?;
+    if body == BodyId::GROUND {
+        report
+            .mistake(&name.span(), "the wheel is on the ground body", "never moves")
+            .help("name the body that carries the wheel, such as the upright");
+    }
+    Some(WheelRole { body, center: center? })
+}
+
+fn steer_axis(
+    root: &mut Section,
+    names: &Names,
+    report: &mut Report,
+) -> Option<Spanned<SteerAxis>> {
+    let help = "name a point and a body for `lower` and `upper`, or remove the section";
+    let mut section = root.optional_section("steer_axis", help, report)?;
+    let [lower, upper] =
+        ["lower", "upper"].map(|end| steer_axis_end(&mut section, end, names, report));
+    let span = section.span();
+    section.finish(report);
+    let (lower, upper) = (lower?, upper?);
+    if lower.0 == upper.0 {
+        report
+            .mistake(&span, "the steer axis has one point twice", "no direction")
+            .help("name the lower and the upper point of the axis");
+    }
+    Some(Spanned::new(span, SteerAxis { lower, upper }))
+}
+
+fn steer_axis_end(
+    axis: &mut Section,
+    end: &'static str,
+    names: &Names,
+    report: &mut Report,
+) -> Option<(PointId, BodyId)> {
+    let help = format!("write `{end} = {{ point = \"…\", body = \"…\" }}`");
+    let mut section = axis.section(end, &help, report)?;
+    let point = section.required("point", &help, report);
+    let body = section.required("body", &help, report);
+    section.finish(report);
+    let point = point.and_then(|point| names.point(&point, report));
+    let body = body.and_then(|body| names.body(&body, report));
+    Some((point?, body?))
+}
+
+/// The joint of the rack: the second body slides along y of the ground.
+fn rack(
+    root: &mut Section,
+    joints: &[(Spanned<String>, Option<Joint>)],
+    report: &mut Report,
+) -> Option<usize> {
+    let help = "name the translational joint between the ground and the rack: `joint = \"…\"`";
+    let mut section = root.optional_section("rack", help, report)?;
+    let name = section.required::<String>("joint", help, report);
+    section.finish(report);
+    let name = name?;
+    if joints.is_empty() {
+        return None; // That the joints are missing has been noted.
+    }
+    let Some(index) = joints.iter().position(|(joint, _)| joint.get_ref() == name.get_ref()) else {
+        let known: Vec<&str> = joints.iter().map(|(j, _)| j.get_ref().as_str()).collect();
+        let message = format!("there is no joint `{}`", name.get_ref());
+        report
+            .mistake(&name.span(), message, "unknown joint")
+            .help(suggest::choices(name.get_ref(), &known));
+        return None;
+    };
+    let joint = joints[index].1.as_ref()?;
+    let along_y = matches!(joint.kind, JointKind::Translational { axis, .. } if axis == joints::Y);
+    if !along_y || joint.i != BodyId::GROUND {
+        let message = format!("the joint `{}` cannot be driven as a rack", name.get_ref());
+        report
+            .mistake(&name.span(), message, "the rack joint")
+            .also(&joints[index].0.span(), "defined here")
+            .help("a rack joint is translational, between the ground and the rack in this order, with `axis = \"y\"`");
+    }
+    Some(index)
+}
+
+impl Names {
+    /// The moving body or the ground of this name.
+    pub(super) fn body(&self, name: &Spanned<String>, report: &mut Report) -> Option<BodyId> {
+        let word = name.get_ref();
+        if *word == self.ground {
+            return Some(BodyId::GROUND);
+        }
+        if self.bodies.is_empty() {
+            return None; // That the bodies are missing has been noted.
+        }
+        let found = self.bodies.iter().position(|body| body.name == *word);
+        if found.is_none() {
+            let mut known = vec![self.ground.as_str()];
+            known.extend(self.bodies.iter().map(|body| body.name.as_str()));
+            report
+                .mistake(&name.span(), format!("there is no body `{word}`"), "unknown body")
+                .help(suggest::choices(word, &known));
+        }
+        found.map(|index| BodyId(index + 1))
+    }
+
+    /// The required point of this name.
+    pub(super) fn point(&self, name: &Spanned<String>, report: &mut Report) -> Option<PointId> {
+        let word = name.get_ref();
+        if self.points.is_empty() {
+            return None; // That the points are missing has been noted.
+        }
+        let found = self.points.iter().position(|point| point.name == *word);
+        if found.is_none() {
+            let optional = self.optional_points.iter().any(|point| point.name == *word);
+            let known: Vec<&str> = self.points.iter().map(|p| p.name.as_str()).collect();
+            let (message, help) = if optional {
+                (
+                    format!("`{word}` is optional, so a model may lack it"),
+                    "move it to [points], or name a required point".to_owned(),
+                )
+            } else {
+                (format!("there is no point `{word}`"), suggest::choices(word, &known))
+            };
+            report.mistake(&name.span(), message, "unknown point").help(help);
+        }
+        found.map(PointId)
+    }
+}

@@ -1,0 +1,72 @@
+//! Checks that the geometry of a model has a meaning.
+
+mod axes;
+mod degenerate;
+mod plausibility;
+
+use std::ops::Range;
+
+use super::Model;
+use super::diagnostics::Report;
+use crate::mechanism::PointId;
+
+/// Two points nearer than this (m) are one point, and three points whose distance from a
+/// line is less are on it: a tenth of a millimetre is below any manufacturing tolerance.
+const NEAR: f64 = 1e-4;
+
+/// A model with the places of its values in the text.
+pub(super) struct Geometry<'a> {
+    pub(super) model: &'a Model,
+    /// Places of the points, in the order of the model.
+    pub(super) points: Vec<Range<usize>>,
+    pub(super) side: Range<usize>,
+    pub(super) length: Range<usize>,
+    pub(super) radius: Range<usize>,
+    /// Place of the spin axis point.
+    pub(super) spin: Range<usize>,
+}
+
+pub(super) fn check(geometry: &Geometry, report: &mut Report) {
+    let before = report.mistakes.len();
+    geometry.check_radius(report);
+    geometry.check_scale(report);
+    if report.mistakes.len() > before {
+        // At the wrong scale every other check would fail too.
+        return;
+    }
+    geometry.check_sides(report);
+    geometry.check_directions(report);
+    geometry.check_bodies(report);
+    geometry.check_steer_axis(report);
+    geometry.check_spin_axis(report);
+}
+
+impl Geometry<'_> {
+    fn position(&self, point: PointId) -> [f64; 3] {
+        self.model.points[point.0].position
+    }
+
+    fn name(&self, point: PointId) -> &str {
+        &self.model.points[point.0].name
+    }
+
+    fn span(&self, point: PointId) -> &Range<usize> {
+        &self.points[point.0]
+    }
+
+    fn coincide(&self, a: PointId, b: PointId) -> bool {
+        norm(minus(self.position(a), self.position(b))) < NEAR
+    }
+}
+
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| a[i] - b[i])
+}
+
+fn norm(a: [f64; 3]) -> f64 {
+    a.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}

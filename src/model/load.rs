@@ -1,0 +1,100 @@
+//! Finds and opens files.
+
+use std::io;
+use std::path::Path;
+
+use super::Model;
+use super::architecture::Architecture;
+use super::diagnostics::{Mistake, ModelDiagnostics, Report, SourceFile};
+use super::suggest;
+use toml::Spanned;
+
+impl Model {
+    /// Reads a model file.
+    ///
+    /// # Errors
+    /// [`ModelDiagnostics`] with every mistake of the file and of its architecture.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, ModelDiagnostics> {
+        let path = path.as_ref();
+        let name = path.display().to_string();
+        let text = read_text(path).map_err(|(message, help)| {
+            ModelDiagnostics::new(&name, vec![Mistake::without_place(message, help)])
+        })?;
+        Self::parse(&name, &text)
+    }
+
+    /// Reads a model from the text of a file. `name` is the file name that messages show, and
+    /// the path of an architecture is relative to it.
+    ///
+    /// # Errors
+    /// [`ModelDiagnostics`] with every mistake of the text and of its architecture.
+    pub fn parse(name: &str, text: &str) -> Result<Self, ModelDiagnostics> {
+        let file = SourceFile::new(name, text);
+        let mut report = Report::new(file.clone());
+        let read = super::read::read_file(&file, &mut report, |root, report| {
+            Some(super::file::read(root, report))
+        });
+        let model = read.and_then(|file| super::resolve::resolve(file, &mut report));
+        super::finish(model, report)
+    }
+}
+
+/// The architecture that a model names; mistakes in it are added to the report.
+pub(super) fn architecture(named: &Spanned<String>, report: &mut Report) -> Option<Architecture> {
+    let word = named.get_ref().as_str();
+    let result = if Path::new(word).extension().is_some_and(|end| end == "toml") {
+        let model = Path::new(&report.file().name);
+        let path = model.parent().unwrap_or(Path::new("")).join(word);
+        match read_text(&path) {
+            Ok(text) => Architecture::parse(&path.display().to_string(), &text),
+            Err((message, help)) => {
+                let help = format!("{help}; the path is relative to the model file");
+                report.mistake(&named.span(), message, "the architecture").help(help);
+                return None;
+            }
+        }
+    } else if let Some(result) = Architecture::built_in(word) {
+        result
+    } else {
+        let help = format!(
+            "{}; a file of your own is a path that ends in .toml",
+            suggest::choices(word, &Architecture::built_in_names())
+        );
+        let message = format!("there is no built-in architecture `{word}`");
+        report.mistake(&named.span(), message, "unknown architecture").help(help);
+        return None;
+    };
+    match result {
+        Ok(architecture) => Some(architecture),
+        Err(diagnostics) => {
+            report.mistakes.extend_from_slice(diagnostics.mistakes());
+            None
+        }
+    }
+}
+
+/// The text of a file, or what is wrong and what to do.
+fn read_text(path: &Path) -> Result<String, (String, String)> {
+    let name = path.display();
+    if path.is_dir() {
+        let message = format!("`{name}` is a folder, not a file");
+        return Err((message, "name a file in it that ends in .toml".to_owned()));
+    }
+    let bytes = std::fs::read(path).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => {
+            (format!("there is no file `{name}`"), "check the path".to_owned())
+        }
+        _ => (
+            format!("`{name}` cannot be read: {error}"),
+            "check that you may read the file".to_owned(),
+        ),
+    })?;
+    String::from_utf8(bytes).map_err(|error| {
+        let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = good.iter().filter(|byte| **byte == b'\n').count() + 1;
+        (
+            format!("`{name}` is not a UTF-8 text, see line {line}"),
+            "save it as UTF-8 in your editor".to_owned(),
+        )
+    })
+}
