@@ -19,7 +19,7 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, max_global_rejects: 1_000_000, ..ProptestConfig::default() })]
 
     /// The whole vehicle yawed and moved makes the same motion.
     #[test]

@@ -209,21 +209,19 @@ fn nearest_joint(
     length: f64,
 ) -> Option<usize> {
     let largest = load.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
-    let loaded = |owner: Owner| {
-        let loads = load.iter().enumerate();
-        loads
-            .filter(|&(equation, _)| expansion.owner(equation) == owner)
-            .any(|(_, x)| x.abs() > 1e-2 * largest)
+    let loaded = |owner: Owner, share: f64| {
+        let mut loads = load.iter().enumerate();
+        loads.any(|(equation, x)| expansion.owner(equation) == owner && x.abs() > share * largest)
     };
     let mut driven = vec![];
     for (index, driver) in mechanism.drivers().iter().enumerate() {
-        if loaded(Owner::Driver(crate::mechanism::DriverId(index))) {
+        if loaded(Owner::Driver(crate::mechanism::DriverId(index)), 1e-6) {
             driven.extend([driver.i, driver.j]);
         }
     }
     let candidates = mechanism.joints().iter().enumerate();
     candidates
-        .filter(|&(index, _)| loaded(Owner::Joint(index)))
+        .filter(|&(index, _)| loaded(Owner::Joint(index), 1e-2))
         .map(|(index, joint)| {
             let [on_i, on_j] = joint.kind.points();
             let here = point_position(mechanism, state, joint.j, on_j);

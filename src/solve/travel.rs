@@ -19,11 +19,15 @@ const CORRECTOR: Tolerances =
 const SHORTEST: f64 = 1e-10;
 
 /// Largest first correction as a part of the predicted step.
-const CORRECTION: f64 = 0.3;
+const CORRECTION: f64 = 0.2;
+
+/// Smallest accepted cosine of the angle between the tangents before and after a step. Two parts of
+/// a path with a short gap between them differ in it, although both are on the same branch.
+const STRAIGHT: f64 = 0.95;
 
 /// Scaled changes below this are small: neither the size of a correction nor the
 /// angle between tangents says anything about branches then.
-const SMALL: f64 = 0.02;
+const SMALL: f64 = 1e-3;
 
 /// Largest accepted relative residual of a left-out equation.
 const CONSISTENT: f64 = 1e-9;
@@ -186,7 +190,7 @@ impl Travel {
             .tangent(self.linear.as_mut(), &self.dh, &mut self.next_tangent)
             .map_err(|Singular| Failure::Singular)?;
         let change = dt * position.scales.change(&self.next_tangent[..unknowns]);
-        if predicted.max(change) > SMALL && self.cosine(position) < 0.5 {
+        if predicted.max(change) > SMALL && self.cosine(position) < STRAIGHT {
             return Err(Failure::LeftBranch);
         }
         if self.check_left_out {
