@@ -209,8 +209,10 @@ fn how(
     let last = on_axis.max_by(|a, b| a.1.total_cmp(&b.1));
     match (first, last) {
         (Some(first), Some(last)) if last.1 - first.1 > near_zero => {
-            format!("{verb} the line {}–{}", name(first.2), name(last.2))
+            let (a, b) = (first.2.min(last.2), first.2.max(last.2));
+            format!("{verb} the line {}–{}", name(a), name(b))
         }
+        (Some(only), _) if !precision.numbers => format!("{verb} {}", name(only.2)),
         (Some(only), _) => {
             format!("{verb} an axis through {} along {}", name(only.2), direction(axis))
         }
