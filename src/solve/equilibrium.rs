@@ -112,16 +112,12 @@ impl Problem {
         let force = force.fold(0.0, |worst: f64, (unknown, (inner, outer))| {
             // A force works on metres, a moment on Euler parameters.
             let arm = self.scales.length / self.scales.coordinate(unknown);
-            worst_of(worst, (inner - outer) / (arm_size(arm) * self.force_size))
+            worst_of(worst, (inner - outer) / (arm * self.force_size))
         });
         self.numbering.kept().iter().fold(force, |worst, &equation| {
             worst_of(worst, self.phi[equation] / self.sizes[equation])
         })
     }
-}
-
-fn arm_size(arm: f64) -> f64 {
-    arm.max(1.0)
 }
 
 fn worst_of(worst: f64, value: f64) -> f64 {
