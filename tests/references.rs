@@ -85,8 +85,7 @@ fn compare_with_sedan(text: &str, plan: &SweepPlan) -> Sweep {
 /// The paper's sweep: −130 … 130 mm in 10 mm steps.
 #[test]
 fn sedan_travel() {
-    let plan =
-        SweepPlan { event: Event::Travel, from: -0.13, to: 0.13, step: 0.01, held: 0.0 };
+    let plan = SweepPlan { event: Event::Travel, from: -0.13, to: 0.13, step: 0.01, held: 0.0 };
     let sweep = compare_with_sedan(include_str!("reference/sedan-travel.csv"), &plan);
     for row in &sweep.rows {
         assert!(row.iterations <= 3, "{} iterations at {}", row.iterations, row.pose.travel);
