@@ -2,19 +2,18 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Prescribed coordinate of a point
+///
+/// `(A_i a_i)ᵀ (r_j + A_j s_j − r_i − A_i s_i) − c = 0` (unit m)
+///
+/// Source: method paper, eq. (16), with a prescribed value.
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `a_i` | 1 | body i | unit direction of the coordinate |
+/// | 3..6 | `s_i` | m | body i | point where the coordinate is zero |
+/// | 6..9 | `s_j` | m | body j | point whose coordinate is prescribed |
+/// | 9 | `value` | m |  | the coordinate |
 pub mod displacement {
-    //! Prescribed coordinate of a point
-    //!
-    //! `(A_i a_i)ᵀ (r_j + A_j s_j − r_i − A_i s_i) − c = 0` (unit m)
-    //!
-    //! Source: method paper, eq. (16), with a prescribed value.
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `a_i` | 1 | body i | unit direction of the coordinate |
-    //! | 3..6 | `s_i` | m | body i | point where the coordinate is zero |
-    //! | 6..9 | `s_j` | m | body j | point whose coordinate is prescribed |
-    //! | 9 | `value` | m |  | the coordinate |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,

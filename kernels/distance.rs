@@ -2,18 +2,17 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Distance of two points
+///
+/// `|d_ij| − l = 0, d_ij = r_j + A_j s_j − r_i − A_i s_i` (unit m)
+///
+/// Source: method paper, eq. (20), (21).
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `s_i` | m | body i | first end |
+/// | 3..6 | `s_j` | m | body j | second end, never at the first |
+/// | 6 | `length` | m |  | distance of the ends |
 pub mod distance {
-    //! Distance of two points
-    //!
-    //! `|d_ij| − l = 0, d_ij = r_j + A_j s_j − r_i − A_i s_i` (unit m)
-    //!
-    //! Source: method paper, eq. (20), (21).
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `s_i` | m | body i | first end |
-    //! | 3..6 | `s_j` | m | body j | second end, never at the first |
-    //! | 6 | `length` | m |  | distance of the ends |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,

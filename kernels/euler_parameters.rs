@@ -2,12 +2,11 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Normalisation of Euler parameters
+///
+/// `pᵀp − 1 = 0` (unit 1)
+///
+/// Source: Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, eq. (9.3.8).
 pub mod euler_parameters {
-    //! Normalisation of Euler parameters
-    //!
-    //! `pᵀp − 1 = 0` (unit 1)
-    //!
-    //! Source: Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, eq. (9.3.8).
     use super::{
         Coordinates, Operations, Place, Relation, Scalar, Shape, exact, exact_mut,
     };

@@ -2,19 +2,18 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Prescribed height of the tyre contact patch
+///
+/// `e_zᵀ (r + A s) − R √(1 − (e_zᵀ A u)²) − z = 0` (unit m)
+///
+/// Source: lowest point of a disc of radius R in the wheel plane, normal to u: r + A s + R d/|d|, d = −e_z + (A u)(e_zᵀ A u).
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `s_i` | m | body i | wheel centre |
+/// | 3..6 | `u_i` | 1 | body i | unit vector of the spin axis, not vertical |
+/// | 6 | `radius` | m |  | radius of the disc |
+/// | 7 | `height` | m |  | height of its lowest point in the frame of the ground |
 pub mod patch_height {
-    //! Prescribed height of the tyre contact patch
-    //!
-    //! `e_zᵀ (r + A s) − R √(1 − (e_zᵀ A u)²) − z = 0` (unit m)
-    //!
-    //! Source: lowest point of a disc of radius R in the wheel plane, normal to u: r + A s + R d/|d|, d = −e_z + (A u)(e_zᵀ A u).
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `s_i` | m | body i | wheel centre |
-    //! | 3..6 | `u_i` | 1 | body i | unit vector of the spin axis, not vertical |
-    //! | 6 | `radius` | m |  | radius of the disc |
-    //! | 7 | `height` | m |  | height of its lowest point in the frame of the ground |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,

@@ -2,17 +2,16 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Prescribed height of a point
+///
+/// `e_zᵀ (r + A s) − z = 0` (unit m)
+///
+/// Source: the z row of method paper, eq. (10), against the ground.
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `s_i` | m | body i | the point |
+/// | 3 | `height` | m |  | its height in the frame of the ground |
 pub mod point_height {
-    //! Prescribed height of a point
-    //!
-    //! `e_zᵀ (r + A s) − z = 0` (unit m)
-    //!
-    //! Source: the z row of method paper, eq. (10), against the ground.
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `s_i` | m | body i | the point |
-    //! | 3 | `height` | m |  | its height in the frame of the ground |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,

@@ -2,17 +2,16 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Spherical joint
+///
+/// `r_j + A_j s_j − r_i − A_i s_i = 0` (unit m)
+///
+/// Source: method paper, eq. (10)–(12).
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `s_i` | m | body i | joint point |
+/// | 3..6 | `s_j` | m | body j | joint point |
 pub mod spherical {
-    //! Spherical joint
-    //!
-    //! `r_j + A_j s_j − r_i − A_i s_i = 0` (unit m)
-    //!
-    //! Source: method paper, eq. (10)–(12).
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `s_i` | m | body i | joint point |
-    //! | 3..6 | `s_j` | m | body j | joint point |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,

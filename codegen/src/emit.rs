@@ -37,9 +37,8 @@ pub fn module(kernel: &Kernel, alphabet: &Alphabet) -> TokenStream {
     let functions = functions(kernel, alphabet);
     let implementation = implementation(kernel);
     quote! {
-        #[doc = #title]
+        #(#[doc = #docs])*
         pub mod #name {
-            #(#![doc = #docs])*
             use super::{
                 Coordinates, Operations, #parameter Place, Relation, Scalar, Shape, exact, exact_mut,
             };

@@ -40,7 +40,7 @@ fn main() -> ExitCode {
         Command::Check(command) => command.run(),
         Command::Sweep(command) => command.run(),
     };
-    done.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
+    done.map_or_else(Failure::report, |()| ExitCode::SUCCESS)
 }
 
 /// Loads a model and, where asked for, turns it into the other side.
