@@ -703,7 +703,7 @@ pub mod displacement {
         force_h: &mut [S; 78],
     ) {
         let two = S::from_f64(2.0);
-        let minus_k1 = S::from_f64(-1.0);
+        let minus_one = S::from_f64(-1.0);
         let k4 = S::from_f64(4.0);
         let t0 = q_j[4] * h[7] + (q_j[3] * h[8] - h[6] * q_j[5]);
         let t1 = h[8] * q_j[6] + (h[6] * q_j[4] + q_j[5] * h[7]);
@@ -873,7 +873,7 @@ pub mod displacement {
         phi_h[6] = t49 * t55 + (t46 * t58 + t48 * t61);
         phi_h[7] = t45 * t64 + (t50 * t65 + t48 * t68);
         phi_h[8] = t47 * t69 + (t50 * t70 + t46 * t71);
-        phi_h[9] = minus_k1;
+        phi_h[9] = minus_one;
         force_h[0] = -t72;
         force_h[1] = -t74;
         force_h[2] = -t76;

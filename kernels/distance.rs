@@ -790,7 +790,7 @@ pub mod distance {
         let one = S::from_f64(1.0);
         let two = S::from_f64(2.0);
         let half = S::from_f64(0.5);
-        let minus_k1 = S::from_f64(-1.0);
+        let minus_one = S::from_f64(-1.0);
         let k4 = S::from_f64(4.0);
         let t0 = h[5] * q_j[6] + (q_j[4] * h[3] + h[4] * q_j[5]);
         let t1 = q_j[6] * h[3] + (q_j[3] * h[4] - h[5] * q_j[4]);
@@ -949,7 +949,7 @@ pub mod distance {
         phi_h[3] = t54;
         phi_h[4] = t62 * two;
         phi_h[5] = t66 * two;
-        phi_h[6] = minus_k1;
+        phi_h[6] = minus_one;
         force_h[0] = -t70;
         force_h[1] = -t73;
         force_h[2] = -t76;

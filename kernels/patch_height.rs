@@ -334,7 +334,7 @@ pub mod patch_height {
     ) {
         let two = S::from_f64(2.0);
         let one = S::from_f64(1.0);
-        let minus_k1 = S::from_f64(-1.0);
+        let minus_one = S::from_f64(-1.0);
         let k4 = S::from_f64(4.0);
         let t0 = q_i[4] * q_i[6] - q_i[3] * q_i[5];
         let t1 = q_i[3] * q_i[4] + q_i[5] * q_i[6];
@@ -381,7 +381,7 @@ pub mod patch_height {
         phi_h[4] = t11 * t12;
         phi_h[5] = h[6] * t13;
         phi_h[6] = -t8;
-        phi_h[7] = minus_k1;
+        phi_h[7] = minus_one;
         force_h[0] = t16;
         force_h[1] = t17;
         force_h[2] = t18;

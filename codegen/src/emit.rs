@@ -476,6 +476,7 @@ fn constant_name(constant: (i64, i64)) -> proc_macro2::Ident {
     match constant {
         (0, _) => format_ident!("zero"),
         (1, 1) => format_ident!("one"),
+        (-1, 1) => format_ident!("minus_one"),
         (2, 1) => format_ident!("two"),
         (1, 2) => format_ident!("half"),
         (numerator, denominator) => {
