@@ -11,13 +11,21 @@ impl SweepReport<'_> {
     /// What the writer says.
     pub fn write_csv(&self, writer: impl io::Write) -> io::Result<()> {
         let mut csv = csv::Writer::from_writer(writer);
-        csv.write_record(self.columns())?;
+        csv.write_record(self.columns()).map_err(of_the_writer)?;
         for row in &self.sweep.rows {
             let fields = self.values(row).into_iter();
-            csv.write_record(
-                fields.map(|value| value.map_or_else(String::new, |v| v.to_string())),
-            )?;
+            csv.write_record(fields.map(|value| value.map_or_else(String::new, |v| v.to_string())))
+                .map_err(of_the_writer)?;
         }
         csv.flush()
+    }
+}
+
+/// The error of the writer itself, whose kind the conversion of the csv crate would lose:
+/// a closed pipe has to stay a closed pipe.
+fn of_the_writer(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
     }
 }

@@ -4,7 +4,7 @@ mod csv;
 mod json;
 mod table;
 
-use crate::factors::FACTORS;
+use crate::factors::{FACTORS, Factor};
 use crate::model::{Drive, Model};
 use crate::rig::{Row, Sweep, SweepPlan};
 
@@ -29,6 +29,8 @@ impl SweepReport<'_> {
 
     /// The values of a row in the units of the model.
     fn values(&self, row: &Row) -> Vec<Option<f64>> {
-        FACTORS.iter().map(|factor| factor.show(self.model.units, &row.pose)).collect()
+        let value = |factor: &Factor| factor.show(self.model.units, &row.pose);
+        // Adding zero turns −0 into 0.
+        FACTORS.iter().map(|factor| value(factor).map(|value| value + 0.0)).collect()
     }
 }

@@ -45,7 +45,7 @@ impl SweepReport<'_> {
         let mut line = |fields: &mut dyn Iterator<Item = &str>| {
             let padded: Vec<String> =
                 fields.zip(&widths).map(|(field, width)| format!("{field:>width$}")).collect();
-            writeln!(writer, "{}", padded.join("  "))
+            writeln!(writer, "{}", padded.join("  ").trim_end())
         };
         line(&mut heads.iter().map(|head| head.0))?;
         line(&mut heads.iter().map(|head| head.1.as_str()))?;
