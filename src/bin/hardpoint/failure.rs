@@ -56,7 +56,7 @@ impl Failure {
                 ExitCode::SUCCESS
             }
             Self::Output(what, error) => {
-                eprintln!("error: {what} cannot be written: {error}");
+                eprintln!("error: {what} cannot be written: {error}; name another place with -o");
                 ExitCode::from(1)
             }
             Self::Usage(message) => {

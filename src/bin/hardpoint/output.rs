@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
-use hardpoint::model::{Drive, Side};
+use hardpoint::model::{Axes, Drive, Side};
 
 use crate::failure::Failure;
 
@@ -59,13 +59,20 @@ pub enum Format {
 impl Format {
     /// The format that the ending of a file names.
     pub fn of(path: &Path) -> Option<Self> {
-        match path.extension()?.to_str()? {
+        let ending = path.extension()?.to_str()?.to_ascii_lowercase();
+        match ending.as_str() {
             "csv" => Some(Self::Csv),
             "json" => Some(Self::Json),
             "txt" => Some(Self::Table),
             _ => None,
         }
     }
+}
+
+/// The words for motions have numbers in ISO 8855 axes; says so where the model has others.
+pub fn axes_of_words(axes: Axes, words: &str) -> &'static str {
+    let numbers = words.contains("along (") || words.contains("through (");
+    if numbers && axes != Axes::Iso8855 { " (numbers in iso8855 axes)" } else { "" }
 }
 
 /// Where results go.
@@ -99,6 +106,14 @@ fn write_file(
     path: &Path,
     write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>,
 ) -> io::Result<()> {
+    // The file that a link leads to takes the new text, not the link.
+    let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let old = fs::metadata(path).ok();
+    // A pipe or a device cannot be exchanged for a file; it takes the text as it comes.
+    if old.as_ref().is_some_and(|old| !old.is_file() && !old.is_dir()) {
+        let mut device = BufWriter::new(fs::OpenOptions::new().write(true).open(path)?);
+        return write(&mut device).and_then(|()| device.flush());
+    }
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -106,11 +121,13 @@ fn write_file(
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = BufWriter::new(builder.tempfile_in(folder)?);
+    // The name of the temporary file, which the full error has, says nothing to a user.
+    let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
+    let mut file = BufWriter::new(file);
     write(&mut file)?;
     let file = file.into_inner().map_err(io::IntoInnerError::into_error)?;
     // A file that exists keeps its permissions.
-    if let Ok(old) = fs::metadata(path) {
+    if let Some(old) = old {
         file.as_file().set_permissions(old.permissions())?;
     }
     file.persist(path).map(drop).map_err(|error| error.error)
