@@ -1,7 +1,9 @@
 //! The command line as a user meets it.
 
 use std::fs;
+use std::io::Read as _;
 use std::path::Path;
+use std::process::Stdio;
 
 use assert_cmd::Command;
 
@@ -97,6 +99,68 @@ fn file_is_whole_or_not_there() {
     assert!(stderr(&failed).contains("folder.csv cannot be written"), "{}", stderr(&failed));
 }
 
+#[test]
+fn a_reader_that_has_seen_enough_is_no_failure() {
+    for format in ["table", "csv", "json"] {
+        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_hardpoint"))
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .args(["sweep", SEDAN, "--step", "0.1", "--format", format])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+        let mut start = [0; 10];
+        child.stdout.take().expect("a pipe").read_exact(&mut start).expect("some output");
+        let output = child.wait_with_output().expect("the program ends");
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success() && message.is_empty(), "{format}: {message}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn links_and_devices_stay_what_they_are() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (file, link) = (folder.path().join("steer.CSV"), folder.path().join("link.csv"));
+    fs::write(&file, "old").expect("a file");
+    std::os::unix::fs::symlink(&file, &link).expect("a link");
+    hardpoint(&["sweep", SEDAN, "-o", link.to_str().expect("a plain name")]).success();
+    assert!(fs::symlink_metadata(&link).expect("the link is there").is_symlink());
+    assert_eq!(fs::read_to_string(&file).expect("the file is there").lines().count(), 28);
+    // A link to a device, so that a failure of this test cannot harm the device itself.
+    let null = folder.path().join("null.csv");
+    std::os::unix::fs::symlink("/dev/stdout", &null).expect("a link");
+    let done = hardpoint(&["sweep", SEDAN, "-o", null.to_str().expect("a plain name")]).success();
+    assert_eq!(stdout(&done).lines().count(), 28);
+    assert_eq!(files(folder.path()), 3, "nothing is left behind");
+}
+
+#[test]
+fn a_wheel_that_nothing_holds_is_told() {
+    let read = |path: &str| fs::read_to_string(path).expect("the file is there");
+    let (start, rest) = read("architectures/double-wishbone.toml")
+        .split_once("[[joints]]\nname = \"tierod_outer_joint\"")
+        .map(|(start, rest)| (start.to_owned(), rest.to_owned()))
+        .expect("the joint is there");
+    let end = rest.find("[[joints]]").expect("a joint follows");
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("loose.toml"), start + &rest[end..]).expect("a file");
+    let model = read("models/adams-tr-front.toml").replace("double-wishbone", "./loose.toml");
+    let path = folder.path().join("model.toml");
+    fs::write(&path, model).expect("a file");
+    let name = path.to_str().expect("a plain name");
+
+    let swept = hardpoint(&["sweep", name, "--from", "0", "--to", "0"]).success();
+    let message = stderr(&swept);
+    let parts = ["warning: no joint holds", "lca turns about the line lca_front–lca_rear"];
+    for part in parts.into_iter().chain(["(numbers in iso8855 axes)"]) {
+        assert!(message.contains(part), "{message}");
+    }
+    assert_eq!(message.matches("warning").count(), 1, "the loose tie rod does not matter");
+    let checked = stdout(&hardpoint(&["check", name]).success());
+    assert!(checked.contains("free: ") && checked.contains("iso8855 axes"), "{checked}");
+}
+
 fn files(folder: &Path) -> usize {
     fs::read_dir(folder).expect("the folder can be read").count()
 }
@@ -121,6 +185,7 @@ fn wrong_input_is_told_with_what_to_do() {
         (&["sweep", SEDAN, "--step", "1e-9"], 2, "too small"),
         (&["sweep", SEDAN, "--from", "nan"], 2, "--from is not a finite number"),
         (&["sweep", SEDAN, "--to", "inf"], 2, "--to is not a finite number"),
+        (&["sweep", SEDAN, "--to", "1e308", "--step", "1e308"], 2, "--to is more than a kilometre"),
         (&["sweep", SEDAN, "--to", "far"], 2, "invalid value 'far'"),
         (&["sweep", SEDAN, "--travel", "3"], 2, "--rack"),
         (&["sweep", SEDAN, "--event", "steer", "--rack", "3"], 2, "--travel"),

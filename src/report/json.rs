@@ -61,6 +61,7 @@ impl SweepReport<'_> {
             },
             "states_planned": self.sweep.planned,
             "stops": stops,
+            "free_motions": self.sweep.free_motions,
             "columns": columns,
             "rows": rows,
         })

@@ -5,7 +5,7 @@ use thiserror::Error;
 use super::pose::{Axle, Pose, Wheel};
 use crate::mechanism::{BodyId, MechanismError, PointId};
 use crate::model::{Axes, Drive, Model, Side, Suspension};
-use crate::solve::{FreedomReport, StepReport, Stop, System, SystemError};
+use crate::solve::{FreeMotion, FreedomReport, StepReport, Stop, System, SystemError};
 
 /// Why a corner cannot be put on the rig.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -41,6 +41,16 @@ impl Corner {
     /// Degrees of freedom, redundant equations and free motions.
     pub fn freedom(&self) -> &FreedomReport {
         self.system.freedom()
+    }
+
+    /// The free motions that move the wheel or its steer axis; with one of them their position
+    /// is not determined by travel and rack.
+    pub fn free_wheel_motions(&self) -> impl Iterator<Item = &FreeMotion> {
+        let Suspension { wheel, steer_axis, .. } = &self.suspension;
+        let steer_axis = steer_axis.iter().flat_map(|axis| [axis.lower.1, axis.upper.1]);
+        let bodies: Vec<BodyId> = steer_axis.chain([wheel.body]).collect();
+        let motions = self.freedom().free_motions.iter();
+        motions.filter(move |motion| motion.bodies.iter().any(|body| bodies.contains(body)))
     }
 
     /// The suspension.

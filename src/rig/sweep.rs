@@ -32,7 +32,7 @@ pub struct SweepPlan {
     pub from: f64,
     /// Last value (m).
     pub to: f64,
-    /// Distance of values (m), not zero; its sign does not matter.
+    /// Distance of values (m); its sign does not matter. Zero leaves out all between first and last.
     pub step: f64,
     /// Value of the driver that is held (m).
     pub held: f64,
@@ -44,6 +44,9 @@ impl SweepPlan {
     pub fn values(&self) -> Vec<f64> {
         let distance = self.to - self.from;
         let exact = (distance / self.step).abs();
+        if exact.is_infinite() {
+            return vec![self.from, self.to];
+        }
         // A distance that is a multiple of the step but for rounding has no short last step.
         let whole = (exact + 1e-9).floor();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
@@ -87,6 +90,9 @@ pub struct Sweep {
     pub planned: usize,
     /// Where the mechanism could not go on: at most one stop for each direction.
     pub stops: Vec<Stop>,
+    /// Motions of wheel and steer axis that the joints leave free, in words. What depends on
+    /// them is not determined by the model.
+    pub free_motions: Vec<String>,
 }
 
 impl Sweep {
@@ -116,7 +122,10 @@ impl Sweep {
             }
         }
         rows.extend(outwards);
-        Self { rows, planned: values.len(), stops: run.stops }
+        let stops = run.stops;
+        let free_motions =
+            corner.free_wheel_motions().map(|motion| motion.description.clone()).collect();
+        Self { rows, planned: values.len(), stops, free_motions }
     }
 }
 
@@ -171,5 +180,6 @@ mod tests {
         assert_eq!(values(0.0, 1.0, 0.4), [0.0, 0.4, 0.8, 1.0]);
         assert_eq!(values(1.0, 0.0, 0.5), [1.0, 0.5, 0.0]);
         assert_eq!(values(2.0, 2.0, 0.5), [2.0]);
+        assert_eq!(values(0.0, 1.0, 0.0), [0.0, 1.0]);
     }
 }

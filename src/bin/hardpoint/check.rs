@@ -10,7 +10,7 @@ use hardpoint::rig::Corner;
 
 use crate::failure::Failure;
 use crate::load;
-use crate::output::{Output, SideName};
+use crate::output::{Output, SideName, axes_of_words};
 
 /// Check a model: mistakes in the file, degrees of freedom, redundant equations, free motions.
 ///
@@ -54,12 +54,15 @@ fn write(writer: &mut dyn Write, model: &Model, corner: &Corner) -> io::Result<(
     writeln!(writer, "wheel radius   {radius} {length}")?;
     writeln!(writer)?;
     let mechanism = &corner.suspension().mechanism;
+    let names = mechanism.joints().iter().map(|joint| joint.name.chars().count());
+    let width = names.max().unwrap_or(0);
     for joint in mechanism.joints() {
         let [i, j] = [joint.i, joint.j].map(|body| mechanism.bodies()[body.index()].name.as_str());
-        writeln!(writer, "{:<16} {:<14} {i}–{j}", joint.name, joint.kind.name())?;
+        writeln!(writer, "{:<width$}  {:<13}  {i}–{j}", joint.name, joint.kind.name())?;
     }
     writeln!(writer)?;
-    writeln!(writer, "{}", corner.freedom())?;
+    let freedom = corner.freedom().to_string();
+    writeln!(writer, "{freedom}{}", axes_of_words(model.axes, &freedom))?;
     if corner.freedom().is_exact() {
         writeln!(writer, "no redundant equations, no free motions")?;
     }

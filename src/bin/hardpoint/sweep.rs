@@ -10,10 +10,13 @@ use indicatif::{ProgressBar, ProgressDrawTarget};
 
 use crate::failure::Failure;
 use crate::load;
-use crate::output::{DriveName, Format, Output, SideName};
+use crate::output::{DriveName, Format, Output, SideName, axes_of_words};
 
 /// More states than this are a mistake in the step.
 const MOST_STATES: f64 = 1e6;
+
+/// No suspension travels farther (m).
+const FARTHEST: f64 = 1e3;
 
 /// Move the wheel through an event and list wheel and steer axis at every state.
 ///
@@ -83,6 +86,13 @@ impl Sweep {
         let progress = Progress::new(plan.values().len());
         let sweep = rig::Sweep::run(&mut corner, &plan, |done| progress.show(done));
         progress.clear();
+        for motion in &sweep.free_motions {
+            let axes = axes_of_words(model.axes, motion);
+            eprintln!(
+                "warning: no joint holds this motion of the wheel: {motion}{axes}; values that \
+                 depend on it are not determined by the model. Add a joint to the architecture"
+            );
+        }
 
         let report = SweepReport { model: &model, drive, plan: &plan, sweep: &sweep };
         let named = self.output.as_deref().and_then(Format::of);
@@ -95,7 +105,9 @@ impl Sweep {
         if sweep.stops.is_empty() {
             return Ok(());
         }
-        let rows = format!("{} of {} states were reached", sweep.rows.len(), sweep.planned);
+        let words: String = sweep.stops.iter().map(ToString::to_string).collect();
+        let axes = axes_of_words(model.axes, &words);
+        let rows = format!("{} of {} states were reached{axes}", sweep.rows.len(), sweep.planned);
         Err(Failure::Stopped(sweep.stops, rows))
     }
 
@@ -110,8 +122,14 @@ impl Sweep {
             ("--travel", self.travel),
         ];
         for (name, value) in options {
-            if value.is_some_and(|value| !value.is_finite()) {
+            let Some(value) = value else { continue };
+            if !value.is_finite() {
                 return usage(&format!("{name} is not a finite number"));
+            }
+            if name != "--step" && metres(value).abs() > FARTHEST {
+                return usage(&format!(
+                    "{name} is more than a kilometre; lengths are in the unit of the model"
+                ));
             }
         }
         let (event, range, step, held) = match self.event {
