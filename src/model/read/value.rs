@@ -18,6 +18,7 @@ pub(crate) trait FromToml: Sized {
 fn wrong_type<T: FromToml>(value: &Spanned<DeValue>, what: &str, report: &mut Report) {
     let found = match value.get_ref() {
         DeValue::String(_) => "a text",
+        DeValue::Integer(integer) if integer.radix() != 10 => "a number of another base",
         DeValue::Integer(_) | DeValue::Float(_) => "a number",
         DeValue::Boolean(_) => "true or false",
         DeValue::Datetime(_) => "a date",
@@ -27,6 +28,7 @@ fn wrong_type<T: FromToml>(value: &Spanned<DeValue>, what: &str, report: &mut Re
     let message = format!("{what} must be {}, not {found}", T::EXPECTED);
     let help = match value.get_ref() {
         DeValue::String(_) => "numbers and lists stand without quotes".to_owned(),
+        DeValue::Integer(integer) if integer.radix() != 10 => "write it in decimals".to_owned(),
         _ => format!("write {}", T::EXPECTED),
     };
     let label = format!("this is {found}");
