@@ -101,8 +101,10 @@ impl fmt::Display for Stop {
             let start = if index == 0 { "stopped at" } else { " and" };
             write!(
                 f,
-                "{start} {} = {value:.6}{unit} on the way to {target}{unit}",
-                reached.driver
+                "{start} {} = {}{unit} on the way to {}{unit}",
+                reached.driver,
+                plain(value),
+                plain(target)
             )?;
         }
         if !self.reached.is_empty() {
@@ -141,6 +143,16 @@ impl fmt::Display for StopReason {
             }
         }
     }
+}
+
+/// Six decimals at most, without rounding noise such as 199.99999999999994.
+fn plain(value: f64) -> String {
+    if value.abs() >= 1e9 {
+        return format!("{value:e}");
+    }
+    let text = format!("{value:.6}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
 /// A singular value this much smaller than at the design position is a dead centre.
