@@ -105,6 +105,7 @@ pub use diagnostics::{Mistake, ModelDiagnostics};
 pub use suspension::{Drive, Suspension, Wheel};
 pub use units::{AngleUnit, LengthUnit, Units};
 
+use crate::vector::{scale, sub, unit};
 use diagnostics::Report;
 
 /// One corner of a vehicle, in SI units and ISO 8855 axes (x forward, y left, z up).
@@ -192,10 +193,9 @@ impl Model {
             SpinAxis::Point(name) => {
                 let center = self.points[self.architecture.wheel.center.0].position;
                 let other = self.point(name).unwrap_or(center);
-                let axis: [f64; 3] = std::array::from_fn(|i| other[i] - center[i]);
-                let length = axis.iter().map(|a| a * a).sum::<f64>().sqrt();
+                let axis = unit(sub(other, center));
                 let outboard = if axis[1] * self.side.sign() < 0.0 { -1.0 } else { 1.0 };
-                axis.map(|a| outboard * a / length)
+                scale(outboard, axis)
             }
         }
     }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::Architecture;
-use crate::mechanism::{BodyId, Direction, JointKind, PointId};
+use crate::mechanism::{BodyId, Direction, PointId};
 use crate::model::diagnostics::Report;
 
 /// Where the text names points, bodies and the steer axis.
@@ -62,23 +62,8 @@ fn points_are_used(architecture: &Architecture, spans: &[Range<usize>], report: 
         mark(axis.upper.0);
     }
     for joint in &architecture.joints {
-        let direction = match joint.kind {
-            JointKind::Spherical { at } | JointKind::Fixed { at } => {
-                mark(at);
-                None
-            }
-            JointKind::Revolute { at, axis: direction }
-            | JointKind::Translational { at, axis: direction }
-            | JointKind::Cylindrical { at, axis: direction }
-            | JointKind::InLine { at, axis: direction }
-            | JointKind::InPlane { at, normal: direction }
-            | JointKind::Universal { at, shaft: direction } => {
-                mark(at);
-                Some(direction)
-            }
-            JointKind::Link { on_i, on_j } => Some(Direction::Between(on_i, on_j)),
-        };
-        if let Some(Direction::Between(from, to)) = direction {
+        joint.kind.points().into_iter().for_each(&mut mark);
+        if let Some(Direction::Between(from, to)) = joint.kind.direction() {
             mark(from);
             mark(to);
         }

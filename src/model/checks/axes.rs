@@ -1,9 +1,10 @@
 //! The steer axis and the spin axis of the wheel.
 
-use super::{Geometry, NEAR, minus, norm};
+use super::{Geometry, NEAR};
 use crate::mechanism::PointId;
 use crate::model::SpinAxis;
 use crate::model::diagnostics::Report;
+use crate::vector::{norm, sub};
 
 impl Geometry<'_> {
     pub(super) fn check_steer_axis(&self, report: &mut Report) {
@@ -47,7 +48,7 @@ impl Geometry<'_> {
                 .help("name a second point on the spin axis of the wheel");
             return;
         }
-        let axis = minus(self.model.points[index].position, self.position(center));
+        let axis = sub(self.model.points[index].position, self.position(center));
         if norm(axis) < NEAR {
             let message = format!("the spin axis point `{name}` is the wheel centre");
             report

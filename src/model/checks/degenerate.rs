@@ -1,9 +1,10 @@
 //! Joints without an axis and bodies that turn freely.
 
-use super::{Geometry, NEAR, cross, minus, norm};
+use super::{Geometry, NEAR};
 use crate::mechanism::{BodyId, Direction, JointKind, PointId};
 use crate::model::diagnostics::Report;
 use crate::model::suggest;
+use crate::vector::{cross, norm, sub};
 
 impl Geometry<'_> {
     /// Axes between two points need two different points.
@@ -89,15 +90,14 @@ impl Geometry<'_> {
     }
 
     fn farthest_pair(&self, points: &[PointId]) -> (PointId, PointId) {
-        let distance =
-            |point: &PointId| norm(minus(self.position(*point), self.position(points[0])));
+        let distance = |point: &PointId| norm(sub(self.position(*point), self.position(points[0])));
         let far = points.iter().copied().max_by(|a, b| distance(a).total_cmp(&distance(b)));
         (points[0], far.unwrap_or(points[0]))
     }
 
     fn distance_from_line(&self, point: PointId, line: (PointId, PointId)) -> f64 {
-        let along = minus(self.position(line.1), self.position(line.0));
-        let to = minus(self.position(point), self.position(line.0));
+        let along = sub(self.position(line.1), self.position(line.0));
+        let to = sub(self.position(point), self.position(line.0));
         norm(cross(along, to)) / norm(along)
     }
 }

@@ -9,6 +9,7 @@ use std::ops::Range;
 use super::Model;
 use super::diagnostics::Report;
 use crate::mechanism::PointId;
+use crate::vector::{norm, sub};
 
 /// Two points nearer than this (m) are one point, and three points whose distance from a
 /// line is less are on it: a tenth of a millimetre is below any manufacturing tolerance.
@@ -55,18 +56,6 @@ impl Geometry<'_> {
     }
 
     fn coincide(&self, a: PointId, b: PointId) -> bool {
-        norm(minus(self.position(a), self.position(b))) < NEAR
+        norm(sub(self.position(a), self.position(b))) < NEAR
     }
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| a[i] - b[i])
-}
-
-fn norm(a: [f64; 3]) -> f64 {
-    a.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

@@ -1,9 +1,10 @@
 //! Numbers that belong to no vehicle: wrong units, wrong side.
 
-use super::{Geometry, NEAR, minus, norm};
+use super::{Geometry, NEAR};
 use crate::model::NamedPoint;
 use crate::model::diagnostics::Report;
 use crate::model::units::LengthUnit;
+use crate::vector::{norm, sub};
 
 /// Coordinates beyond this (m) belong to no vehicle.
 const FARTHEST: f64 = 100.0;
@@ -83,7 +84,7 @@ impl Geometry<'_> {
                 high[axis] = high[axis].max(point.position[axis]);
             }
         }
-        norm(minus(high, low))
+        norm(sub(high, low))
     }
 
     /// Points that lie across the centre line: all of them, or single ones.
