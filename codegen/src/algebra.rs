@@ -329,6 +329,13 @@ impl Algebra {
         atom.is_zero() || self.flatten(atom).is_zero()
     }
 
+    /// Whether `atom` is the number zero or a negative number for all values of the inputs.
+    pub fn is_not_positive(&self, atom: &Atom) -> bool {
+        let flat = self.flatten(atom);
+        let number = matches!(flat.as_view(), AtomView::Num(_));
+        number && (flat.is_zero() || is_negative(&flat))
+    }
+
     /// Whether `atom` depends on a virtual motion.
     pub fn has_virtual_motion(&self, atom: &Atom) -> bool {
         symbols(atom).into_iter().any(|symbol| match self.index.get(&symbol) {
@@ -391,12 +398,15 @@ fn coefficient(term: AtomView<'_>) -> Atom {
     }
 }
 
+fn is_negative(number: &Atom) -> bool {
+    number.to_plain_string().starts_with('-')
+}
+
 /// The size of the first coefficient, with the sign that most terms have.
 fn common_factor(atom: &Atom) -> Atom {
-    let negative = |number: &Atom| number.to_plain_string().starts_with('-');
     let first = leading_coefficient(atom).unwrap_or_else(Atom::one);
-    let size = if negative(&first) { -first } else { first };
-    let minus = atom.terms().filter(|term| negative(&coefficient(*term))).count();
+    let size = if is_negative(&first) { -first } else { first };
+    let minus = atom.terms().filter(|term| is_negative(&coefficient(*term))).count();
     if 2 * minus > atom.terms().count() { -size } else { size }
 }
 

@@ -1,6 +1,7 @@
 //! From checked expressions to the symbolic entries of every kernel output.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use symbolica::prelude::{Atom, Symbol};
 
@@ -34,7 +35,7 @@ pub struct Derived {
 }
 
 /// What can be wrong with a relation only when it is differentiated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Flaw {
     /// An equation does not depend on any coordinate.
     ConstantEquation(usize),
@@ -42,6 +43,10 @@ pub enum Flaw {
     NonlinearWork(usize),
     /// A row of `work` has no virtual motion in it.
     ConstantWork(usize),
+    /// A quotient, at this place of the file, whose divisor is zero for all values of the inputs.
+    ZeroDivisor(Range<usize>),
+    /// A root, at this place of the file, of zero or a negative number.
+    RootOfConstant(Range<usize>),
 }
 
 /// Differentiates a relation.
@@ -49,7 +54,11 @@ pub enum Flaw {
 /// # Errors
 /// What makes its equations unusable.
 pub fn differentiate(relation: &Relation, alphabet: &Alphabet) -> Result<Derived, Vec<Flaw>> {
-    let mut lowering = Lowering { algebra: Algebra::new(alphabet.clone()), names: HashMap::new() };
+    let mut lowering = Lowering {
+        algebra: Algebra::new(alphabet.clone()),
+        names: HashMap::new(),
+        flaws: Vec::new(),
+    };
     lowering.parameters(relation);
     for (name, expression) in &relation.definitions {
         let value = lowering.lower(expression);
@@ -58,6 +67,9 @@ pub fn differentiate(relation: &Relation, alphabet: &Alphabet) -> Result<Derived
     }
     let residual = lowering.lower(&relation.residual).components();
     let work = relation.work.as_ref().map(|work| lowering.lower(work).components());
+    if !lowering.flaws.is_empty() {
+        return Err(lowering.flaws);
+    }
     derive(relation, lowering.algebra, residual, work.as_deref())
 }
 
@@ -215,6 +227,7 @@ impl Value {
 struct Lowering {
     algebra: Algebra,
     names: HashMap<String, Value>,
+    flaws: Vec<Flaw>,
 }
 
 impl Lowering {
@@ -322,11 +335,11 @@ impl Lowering {
             Kind::Binary(operator, left, right) => {
                 let left = self.lower(left);
                 let right = self.lower(right);
-                self.binary(*operator, left, right)
+                self.binary(*operator, left, right, &expression.span)
             }
             Kind::Call(name, arguments) => {
                 let arguments = arguments.iter().map(|argument| self.lower(argument)).collect();
-                self.call(name, arguments)
+                self.call(name, arguments, &expression.span)
             }
             Kind::Component(inner, component) => {
                 Value::Scalar(self.lower(inner).components()[*component].clone())
@@ -337,7 +350,13 @@ impl Lowering {
         }
     }
 
-    fn binary(&mut self, operator: Operator, left: Value, right: Value) -> Value {
+    fn binary(
+        &mut self,
+        operator: Operator,
+        left: Value,
+        right: Value,
+        span: &Range<usize>,
+    ) -> Value {
         match operator {
             Operator::Add | Operator::Subtract => {
                 let sign = if operator == Operator::Add { 1 } else { -1 };
@@ -370,13 +389,24 @@ impl Lowering {
                 }
             },
             Operator::Divide => {
-                let reciprocal = self.algebra.apply(Function::Reciprocal, &right.scalar());
+                let divisor = right.scalar();
+                if self.algebra.vanishes(&divisor) {
+                    self.flaws.push(Flaw::ZeroDivisor(span.clone()));
+                }
+                let reciprocal = self.algebra.apply(Function::Reciprocal, &divisor);
                 self.explicit(left).map(|atom| atom * &reciprocal)
             }
         }
     }
 
-    fn call(&mut self, name: &str, arguments: Vec<Value>) -> Value {
+    fn root(&mut self, argument: &Atom, span: &Range<usize>) -> Value {
+        if self.algebra.is_not_positive(argument) {
+            self.flaws.push(Flaw::RootOfConstant(span.clone()));
+        }
+        Value::Scalar(self.algebra.apply(Function::Root, argument))
+    }
+
+    fn call(&mut self, name: &str, arguments: Vec<Value>, span: &Range<usize>) -> Value {
         let mut arguments = arguments.into_iter();
         let mut next = || arguments.next().unwrap_or_else(|| unreachable!("arity was checked"));
         match name {
@@ -384,7 +414,7 @@ impl Lowering {
             "cross" => Value::Vector(cross(&next().components(), &next().components())),
             "norm" => {
                 let vector = next().components();
-                Value::Scalar(self.algebra.apply(Function::Root, &dot(&vector, &vector)))
+                self.root(&dot(&vector, &vector), span)
             }
             "transpose" => match next() {
                 Value::Rotation { body, transposed } => {
@@ -393,7 +423,7 @@ impl Lowering {
                 Value::Matrix(rows) => Value::Matrix(transpose(&rows)),
                 _ => unreachable!("shapes were checked"),
             },
-            "sqrt" => Value::Scalar(self.algebra.apply(Function::Root, &next().scalar())),
+            "sqrt" => self.root(&next().scalar(), span),
             "sin" => Value::Scalar(self.algebra.apply(Function::Sine, &next().scalar())),
             "cos" => Value::Scalar(self.algebra.apply(Function::Cosine, &next().scalar())),
             _ => unreachable!("functions were checked"),

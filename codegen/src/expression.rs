@@ -82,6 +82,12 @@ pub fn parse(text: &Text) -> Result<Expression, Vec<Mistake>> {
         let message = format!("`{character}` is not part of an expression");
         return Err(vec![Mistake::new(span, message, help)]);
     }
+    if let Some(at) = too_deep(&text.text) {
+        let start = text.span.start + at;
+        let message = format!("brackets are nested more than {DEEPEST} deep");
+        let help = "give parts of the expression names under [definitions]";
+        return Err(vec![Mistake::new(start..start + 1, message, help)]);
+    }
     let tree: syn::Expr = syn::parse_str(&text.text).map_err(|error| {
         let span = place(error.span());
         let help = "write it like `r_j + A_j * s_j - r_i - A_i * s_i`";
@@ -90,6 +96,22 @@ pub fn parse(text: &Text) -> Result<Expression, Vec<Mistake>> {
     let mut mistakes = Vec::new();
     let expression = convert(&tree, &place, &mut mistakes);
     expression.filter(|_| mistakes.is_empty()).ok_or(mistakes)
+}
+
+/// Deeper brackets would overflow the stack of the parser.
+const DEEPEST: usize = 64;
+
+/// Where brackets are nested too deep.
+fn too_deep(text: &str) -> Option<usize> {
+    let mut depth: usize = 0;
+    text.bytes().position(|byte| {
+        match byte {
+            b'(' | b'[' => depth += 1,
+            b')' | b']' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        depth > DEEPEST
+    })
 }
 
 fn convert(

@@ -29,6 +29,7 @@ pub mod source;
 pub mod unit;
 pub mod validate;
 
+use std::collections::HashMap;
 use std::path::Path;
 use std::{fmt, io};
 
@@ -118,6 +119,7 @@ pub fn generate(mut sources: Vec<Source>) -> Result<Generated, Error> {
             Err(mistakes) => wrong.push(Mistakes { source, mistakes }),
         }
     }
+    wrong.extend(one_type_twice(&mut relations));
     // Mistakes that only differentiation finds are told together with the others.
     let (generated, flawed) = session::run(move || derive(relations))?;
     wrong.extend(flawed);
@@ -134,6 +136,24 @@ pub fn check(source: &Source) -> Result<Relation, Vec<Mistake>> {
         (Some(definition), mistakes) => validate::check(source, &definition, mistakes),
         (None, mistakes) => Err(mistakes),
     }
+}
+
+/// Takes out the relations whose type another one has already: `arm_1` and `arm1` are both `Arm1`.
+fn one_type_twice(relations: &mut Vec<(Source, Relation)>) -> Vec<Mistakes> {
+    let mut taken: HashMap<String, String> = HashMap::new();
+    let mut wrong = Vec::new();
+    relations.retain(|(source, relation)| {
+        let type_name = emit::type_name(&relation.name);
+        let Some(first) = taken.get(&type_name) else {
+            taken.insert(type_name, source.name.clone());
+            return true;
+        };
+        let message = format!("`{}` and `{first}` both give the type `{type_name}`", source.name);
+        let mistake = Mistake::new(0..0, message, "give one of the two files another name");
+        wrong.push(Mistakes { source: source.clone(), mistakes: vec![mistake] });
+        false
+    });
+    wrong
 }
 
 fn derive(relations: Vec<(Source, Relation)>) -> (Generated, Vec<Mistakes>) {
@@ -176,6 +196,16 @@ fn mistakes(relation: &Relation, error: &KernelError) -> Vec<Mistake> {
             relation.residual.row(*row).span.clone(),
             format!("equation {} does not depend on the position of a body", row + 1),
             "no motion can fulfil it; use the coordinates of body i or j",
+        ),
+        Flaw::ZeroDivisor(span) => Mistake::new(
+            span.clone(),
+            "the divisor is zero at every position",
+            "divide by something that is never zero",
+        ),
+        Flaw::RootOfConstant(span) => Mistake::new(
+            span.clone(),
+            "the root of a number that is not positive has no derivative",
+            "take the root of something that is always positive",
         ),
         Flaw::ConstantWork(row) => Mistake::new(
             work.row(*row).span.clone(),

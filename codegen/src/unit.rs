@@ -10,6 +10,9 @@ pub struct Unit([i32; 3]);
 
 const BASE: [&str; 3] = ["m", "kg", "s"];
 
+/// No unit of mechanics has a larger power.
+const LARGEST_POWER: i32 = 12;
+
 impl Unit {
     /// No dimension.
     pub const ONE: Self = Self([0; 3]);
@@ -29,6 +32,9 @@ impl Unit {
             let factor = rest[..end].trim();
             let (name, power) = factor.split_once('^').unwrap_or((factor, "1"));
             let power: i32 = power.trim().parse().map_err(|_| factor.to_owned())?;
+            if !(-LARGEST_POWER..=LARGEST_POWER).contains(&power) {
+                return Err(factor.to_owned());
+            }
             let exponents = match name.trim() {
                 "1" | "rad" => [0, 0, 0],
                 "m" => [2, 0, 0],
@@ -95,5 +101,6 @@ mod tests {
         assert_eq!(Unit::parse("m").unwrap().root().unwrap().to_string(), "m^(1/2)");
         assert_eq!(Unit::parse("mm").unwrap_err(), "mm");
         assert_eq!(Unit::parse("m^x").unwrap_err(), "m^x");
+        assert_eq!(Unit::parse("m^2000000000").unwrap_err(), "m^2000000000");
     }
 }

@@ -93,6 +93,19 @@ const GIVEN: [(&str, Shape, Unit); 5] = [
     ("delta_theta", Shape::Vector(3), Unit::ONE),
 ];
 
+/// Names that generated code uses for something else.
+const TAKEN: [&str; 9] = [
+    "coordinates",
+    "kernels",
+    "operations",
+    "parameter",
+    "place",
+    "relation",
+    "s",
+    "scalar",
+    "shape",
+];
+
 const FUNCTIONS: [&str; 7] = ["dot", "cross", "norm", "transpose", "sqrt", "sin", "cos"];
 
 /// Checks a relation.
@@ -166,11 +179,17 @@ impl Checker {
         let name = &source.name;
         let plain = name.starts_with(|c: char| c.is_ascii_lowercase())
             && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
-        if !plain || syn::parse_str::<syn::Ident>(name).is_err() {
+        if !plain {
             self.report(
                 &(0..0),
                 format!("the file name `{name}` cannot name a Rust module"),
                 "name the file in lower case letters, digits and underscores, as `in_plane.toml`",
+            );
+        } else if TAKEN.contains(&name.as_str()) || syn::parse_str::<syn::Ident>(name).is_err() {
+            self.report(
+                &(0..0),
+                format!("the file name `{name}` has another meaning in Rust or in the kernels"),
+                "give the file another name, such as two words: `in_plane.toml`",
             );
         }
     }

@@ -40,3 +40,15 @@ fn mistakes_of_all_files_are_told_at_once() {
     };
     assert_eq!(files.len(), count);
 }
+
+#[test]
+fn two_files_may_not_give_one_type() {
+    let text =
+        "format = 1\ntitle = \"t\"\nequation = \"e\"\nreference = \"r\"\nresidual = \"r_i[0]\"\n";
+    let sources = vec![Source::new("arm_1.toml", text), Source::new("arm1.toml", text)];
+    let Err(error @ Error::Mistakes(_)) = generate(sources) else {
+        panic!("two relations of one type were accepted")
+    };
+    let message = error.to_string();
+    assert!(message.contains("`arm_1` and `arm1` both give the type `Arm1`"), "{message}");
+}
