@@ -8,7 +8,7 @@
 //! | file → text with positions | [`source`] |
 //! | text → TOML tables | [`definition`] |
 //! | strings → expressions | [`expression`] |
-//! | names, shapes and units checked | [`validate`], [`unit`] |
+//! | names, shapes and units checked | [`validate`], [`mod@unit`] |
 //! | expressions → derivatives over named intermediates | [`differentiate`], [`algebra`] |
 //! | derivatives → straight-line programs | [`program`], [`kernel`] |
 //! | programs → Rust tokens → files | [`emit`], [`render`] |
