@@ -189,6 +189,7 @@ fn wrong_input_is_told_with_what_to_do() {
         (&["sweep", SEDAN, "--to", "far"], 2, "invalid value 'far'"),
         (&["sweep", SEDAN, "--travel", "3"], 2, "--rack"),
         (&["sweep", SEDAN, "--event", "steer", "--rack", "3"], 2, "--travel"),
+        (&["sweep", SEDAN, "-o", SEDAN], 2, "-o would overwrite the model"),
         (&["sweep", SEDAN, "--event", "stear"], 2, "steer"),
         (&["swep", SEDAN], 2, "sweep"),
         (&["sweep"], 2, "<MODEL>"),

@@ -79,6 +79,10 @@ impl Sweep {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
         let model = load(&self.model, self.side)?;
+        let place = self.output.as_ref().and_then(|path| path.canonicalize().ok());
+        if place.is_some() && place == self.model.canonicalize().ok() {
+            return Err(Failure::Usage("-o would overwrite the model; name another file".into()));
+        }
         let drive = self.drive.into();
         let mut corner = Corner::new(&model, drive)
             .map_err(|error| Failure::Rig(self.model.display().to_string(), error))?;
