@@ -2,8 +2,9 @@
 
 use symbolica::prelude::Atom;
 
-use crate::algebra::Alphabet;
-use crate::differentiate::{Derived, Entries, Flaw, differentiate};
+use crate::alphabet::Alphabet;
+use crate::differentiate::{Derived, Entries, differentiate};
+use crate::lower::Flaw;
 use crate::program::{Program, ProgramError};
 use crate::validate::Relation;
 

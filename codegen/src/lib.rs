@@ -8,24 +8,30 @@
 //! | file → text with positions | [`source`] |
 //! | text → TOML tables | [`definition`] |
 //! | strings → expressions | [`expression`] |
-//! | names, shapes and units checked | [`validate`], [`mod@unit`] |
-//! | expressions → derivatives over named intermediates | [`differentiate`], [`algebra`] |
-//! | derivatives → straight-line programs | [`program`], [`kernel`] |
-//! | programs → Rust tokens → files | [`emit`], [`render`] |
+//! | names, shapes and units checked | [`validate`], `quantity`, [`mod@unit`] |
+//! | expressions → scalars over named intermediates | [`lower`], [`algebra`], [`alphabet`] |
+//! | scalars → derivatives | [`differentiate`] |
+//! | derivatives → straight-line programs | [`program`], `translate`, [`kernel`] |
+//! | programs → Rust tokens → files | [`emit`], `body`, [`render`] |
 //!
 //! All of it is pure except [`session`], the one door to the computer algebra
 //! system, and the reading and writing of files.
 
 pub mod algebra;
+pub mod alphabet;
+mod body;
 pub mod definition;
 pub mod differentiate;
 pub mod emit;
 pub mod expression;
 pub mod kernel;
+pub mod lower;
 pub mod program;
+mod quantity;
 pub mod render;
 pub mod session;
 pub mod source;
+mod translate;
 pub mod unit;
 pub mod validate;
 
@@ -33,9 +39,9 @@ use std::collections::HashMap;
 use std::path::Path;
 use std::{fmt, io};
 
-use algebra::Alphabet;
-use differentiate::Flaw;
+use alphabet::Alphabet;
 use kernel::{Kernel, KernelError};
+use lower::Flaw;
 use render::File;
 use source::{Mistake, Mistakes, Source};
 use validate::Relation;

@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use hardpoint_codegen::algebra::Alphabet;
+use hardpoint_codegen::alphabet::Alphabet;
 use hardpoint_codegen::expression::{Expression, Kind, Operator};
 use hardpoint_codegen::kernel::{Kernel, Pattern};
 use hardpoint_codegen::source::read_folder;

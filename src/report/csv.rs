@@ -5,7 +5,7 @@ use std::io;
 use super::SweepReport;
 
 impl SweepReport<'_> {
-    /// Writes the columns in full precision. A factor that the suspension does not have is empty.
+    /// Writes the columns to 15 significant digits. A factor that the suspension does not have is empty.
     ///
     /// # Errors
     /// What the writer says.

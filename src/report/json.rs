@@ -9,7 +9,7 @@ use crate::factors::FACTORS;
 use crate::model::Drive;
 
 impl SweepReport<'_> {
-    /// Writes one object in full precision. A factor that the suspension does not have is null.
+    /// Writes one object to 15 significant digits. A factor that the suspension does not have is null.
     ///
     /// # Errors
     /// What the writer says.

@@ -27,10 +27,28 @@ impl SweepReport<'_> {
         FACTORS.iter().map(|factor| factor.column(self.model.units)).collect()
     }
 
-    /// The values of a row in the units of the model.
+    /// The values of a row in the units of the model, to 15 significant digits: what lies
+    /// behind them is only the change of units, such as 179.99999999999994 mm for 0.18 m.
     fn values(&self, row: &Row) -> Vec<Option<f64>> {
         let value = |factor: &Factor| factor.show(self.model.units, &row.pose);
-        // Adding zero turns −0 into 0.
-        FACTORS.iter().map(|factor| value(factor).map(|value| value + 0.0)).collect()
+        FACTORS.iter().map(|factor| value(factor).map(rounded)).collect()
+    }
+}
+
+fn rounded(value: f64) -> f64 {
+    // Adding zero turns −0 into 0.
+    format!("{value:.14e}").parse().unwrap_or(value) + 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rounded;
+
+    #[test]
+    fn fifteen_digits_hide_the_change_of_units() {
+        assert_eq!(rounded(0.18 * 1000.0), 180.0);
+        assert_eq!(rounded(-109.90000000000002), -109.9);
+        assert_eq!(rounded(1.0 / 3.0), 0.333333333333333);
+        assert!(rounded(-0.0).is_sign_positive());
     }
 }

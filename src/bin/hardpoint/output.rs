@@ -50,7 +50,7 @@ impl From<DriveName> for Drive {
 pub enum Format {
     /// Aligned columns with the meaning of each.
     Table,
-    /// Comma-separated values in full precision.
+    /// Comma-separated values to 15 significant digits.
     Csv,
     /// JSON with definitions, Newton iterations and residuals.
     Json,
