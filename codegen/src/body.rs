@@ -7,8 +7,13 @@ use quote::{format_ident, quote};
 use symbolica::prelude::Symbol;
 
 use crate::algebra::Function;
-use crate::emit::Argument;
 use crate::program::{Node, NodeId, Program};
+
+/// One array that a kernel function reads or writes.
+pub(crate) struct Argument {
+    pub name: &'static str,
+    pub size: usize,
+}
 
 /// Single uses are written inside the expression that uses them up to so many operations.
 const INLINE: usize = 6;

@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 use symbolica::prelude::Symbol;
 
 use crate::alphabet::Alphabet;
-use crate::body::body;
+use crate::body::{Argument, body};
 use crate::kernel::{Kernel, PROGRAMS, Pattern};
 use crate::program::{Node, Operations};
 
@@ -197,12 +197,6 @@ fn pattern(pattern: &Pattern) -> TokenStream {
         quote!((#row, #column))
     });
     quote!(&[#(#entries),*])
-}
-
-/// One array that a kernel function reads or writes.
-pub(crate) struct Argument {
-    pub name: &'static str,
-    pub size: usize,
 }
 
 fn outputs(kernel: &Kernel) -> [Vec<Argument>; 5] {

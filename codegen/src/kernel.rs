@@ -6,6 +6,7 @@ use crate::alphabet::Alphabet;
 use crate::differentiate::{Derived, Entries, differentiate};
 use crate::lower::Flaw;
 use crate::program::{Program, ProgramError};
+use crate::translate::shortest_program;
 use crate::validate::Relation;
 
 /// A sparsity pattern: (row, column) of each stored entry.
@@ -79,11 +80,11 @@ impl Kernel {
             values(&design).chain(values(&force_design)).cloned().collect();
         let with_rate: Vec<Atom> = values(&rate).chain(values(&rate_design)).cloned().collect();
         let programs = [
-            Program::new(&algebra, &residual)?,
-            Program::new(&algebra, &with_jacobian)?,
-            Program::new(&algebra, &with_curvature)?,
-            Program::new(&algebra, &with_design)?,
-            Program::new(&algebra, &with_rate)?,
+            shortest_program(&algebra, &residual)?,
+            shortest_program(&algebra, &with_jacobian)?,
+            shortest_program(&algebra, &with_curvature)?,
+            shortest_program(&algebra, &with_design)?,
+            shortest_program(&algebra, &with_rate)?,
         ];
         Ok(Self {
             relation: relation.clone(),

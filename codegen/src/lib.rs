@@ -11,7 +11,7 @@
 //! | names, shapes and units checked | [`validate`], `quantity`, [`mod@unit`] |
 //! | expressions → scalars over named intermediates | [`lower`], [`algebra`], [`alphabet`] |
 //! | scalars → derivatives | [`differentiate`] |
-//! | derivatives → straight-line programs | [`program`], `translate`, [`kernel`] |
+//! | derivatives → straight-line programs | [`program`], [`translate`], [`kernel`] |
 //! | programs → Rust tokens → files | [`emit`], `body`, [`render`] |
 //!
 //! All of it is pure except [`session`], the one door to the computer algebra
@@ -31,7 +31,7 @@ mod quantity;
 pub mod render;
 pub mod session;
 pub mod source;
-mod translate;
+pub mod translate;
 pub mod unit;
 pub mod validate;
 

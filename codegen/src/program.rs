@@ -1,11 +1,8 @@
 //! Straight-line programs: common subexpressions shared over all outputs, operations counted.
 
-use std::collections::HashMap;
+use symbolica::prelude::Symbol;
 
-use symbolica::prelude::{Atom, Symbol};
-
-use crate::algebra::{Algebra, Function, Meaning, symbols};
-use crate::translate::translate;
+use crate::algebra::Function;
 
 /// Number of a node of a program.
 pub type NodeId = usize;
@@ -73,31 +70,6 @@ pub enum ProgramError {
 }
 
 impl Program {
-    /// The shortest program found for the outputs.
-    ///
-    /// The scheme that evaluates a polynomial best differs from relation to
-    /// relation, so a few are tried and the one with the fewest operations stays.
-    ///
-    /// # Errors
-    /// [`ProgramError`] where an output has no straight-line program.
-    pub fn new(algebra: &Algebra, outputs: &[Atom]) -> Result<Self, ProgramError> {
-        let needed = needed_intermediates(algebra, outputs);
-        let mut best: Option<Self> = None;
-        for direct in [true, false] {
-            for iterations in [0, 1] {
-                let program = translate(&needed, outputs, direct, iterations)?;
-                let count = |program: &Self| {
-                    let operations = program.operations();
-                    (operations.total(), operations.multiplications)
-                };
-                if best.as_ref().is_none_or(|best| count(&program) < count(best)) {
-                    best = Some(program);
-                }
-            }
-        }
-        Ok(best.unwrap_or(Self { nodes: Vec::new(), outputs: Vec::new() }))
-    }
-
     /// Counts the operations.
     pub fn operations(&self) -> Operations {
         let mut operations = Operations::default();
@@ -132,24 +104,4 @@ impl Program {
         }
         self.outputs.iter().map(|&output| values[output]).collect()
     }
-}
-
-/// The intermediates that the outputs depend on, in the order of their making.
-fn needed_intermediates(algebra: &Algebra, outputs: &[Atom]) -> Vec<(Symbol, Meaning)> {
-    let meanings: HashMap<Symbol, &Meaning> = algebra.intermediates().collect();
-    let mut open: Vec<Symbol> = outputs.iter().flat_map(symbols).collect();
-    let mut needed = std::collections::HashSet::new();
-    while let Some(symbol) = open.pop() {
-        if let Some(Meaning::Polynomial(inner) | Meaning::Function(_, inner)) =
-            meanings.get(&symbol)
-            && needed.insert(symbol)
-        {
-            open.extend(symbols(inner));
-        }
-    }
-    algebra
-        .intermediates()
-        .filter(|(symbol, _)| needed.contains(symbol))
-        .map(|(symbol, meaning)| (symbol, meaning.clone()))
-        .collect()
 }

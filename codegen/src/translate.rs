@@ -1,18 +1,60 @@
 //! From the evaluator of the computer algebra system to nodes of a program.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use symbolica::evaluate::{ExportedInstructions, Instruction, Slot};
 use symbolica::prelude::{Atom, AtomCore, Symbol};
 
-use crate::algebra::{Meaning, symbols};
+use crate::algebra::{Algebra, Meaning, symbols};
 use crate::program::{Node, NodeId, Program, ProgramError};
 
-/// The program that one setting of the evaluator gives for the outputs.
+/// The shortest program found for the outputs.
+///
+/// The scheme that evaluates a polynomial best differs from relation to
+/// relation, so a few are tried and the one with the fewest operations stays.
 ///
 /// # Errors
 /// [`ProgramError`] where an output has no straight-line program.
-pub(crate) fn translate(
+pub fn shortest_program(algebra: &Algebra, outputs: &[Atom]) -> Result<Program, ProgramError> {
+    let needed = needed_intermediates(algebra, outputs);
+    let mut best: Option<Program> = None;
+    for direct in [true, false] {
+        for iterations in [0, 1] {
+            let program = translate(&needed, outputs, direct, iterations)?;
+            let count = |program: &Program| {
+                let operations = program.operations();
+                (operations.total(), operations.multiplications)
+            };
+            if best.as_ref().is_none_or(|best| count(&program) < count(best)) {
+                best = Some(program);
+            }
+        }
+    }
+    Ok(best.unwrap_or(Program { nodes: Vec::new(), outputs: Vec::new() }))
+}
+
+/// The intermediates that the outputs depend on, in the order of their making.
+fn needed_intermediates(algebra: &Algebra, outputs: &[Atom]) -> Vec<(Symbol, Meaning)> {
+    let meanings: HashMap<Symbol, &Meaning> = algebra.intermediates().collect();
+    let mut open: Vec<Symbol> = outputs.iter().flat_map(symbols).collect();
+    let mut needed = HashSet::new();
+    while let Some(symbol) = open.pop() {
+        if let Some(Meaning::Polynomial(inner) | Meaning::Function(_, inner)) =
+            meanings.get(&symbol)
+            && needed.insert(symbol)
+        {
+            open.extend(symbols(inner));
+        }
+    }
+    algebra
+        .intermediates()
+        .filter(|(symbol, _)| needed.contains(symbol))
+        .map(|(symbol, meaning)| (symbol, meaning.clone()))
+        .collect()
+}
+
+/// The program that one setting of the evaluator gives for the outputs.
+fn translate(
     intermediates: &[(Symbol, Meaning)],
     outputs: &[Atom],
     direct: bool,
