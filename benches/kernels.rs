@@ -6,9 +6,9 @@ mod common;
 use std::hint::black_box;
 
 use common::assert_same;
-use common::measure::{BASE, run};
+use common::dual::State;
+use common::measure::{Way, compare, criterion};
 use common::methods::{Blocks, DIFFERENCES, DUALS, Differences, Symbolic, duals, gradient};
-use common::support::State;
 use criterion::Criterion;
 use hardpoint::kernels::RelationKind;
 use hardpoint::relation::Place;
@@ -38,35 +38,34 @@ fn relation(criterion: &mut Criterion, kind: RelationKind) {
     let mut expected = empty.clone();
     evaluate(&mut Symbolic::new(kind), &state, &mut expected);
 
-    let mut group = criterion.benchmark_group(format!("kernels/{}", kind.name()));
     let ways: [(&str, Box<dyn Blocks>, f64); 6] = [
-        (BASE, Box::new(Symbolic::new(kind)), DUALS),
+        ("symbolic", Box::new(Symbolic::new(kind)), DUALS),
         ("differences, 14 directions", Box::new(Differences::blind(kind)), DIFFERENCES),
         ("differences, known pattern", Box::new(Differences::new(kind)), DIFFERENCES),
         ("duals, one direction at a time", duals::for_curvature(kind), DUALS),
         ("duals, all directions at once", gradient::for_curvature(kind), DUALS),
         ("hyper-duals, one entry at a time", Box::new(duals::HyperDuals::new(kind)), DUALS),
     ];
-    for (name, mut blocks, tolerance) in ways {
+    let ways = ways.into_iter().map(|(name, mut blocks, tolerance)| -> Way<'_> {
         let mut found = empty.clone();
         evaluate(&mut *blocks, &state, &mut found);
         for (found, expected) in found.iter().zip(&expected) {
             assert_same(name, found, expected, tolerance);
         }
-        group.bench_function(name, |bencher| {
-            bencher.iter(|| {
-                evaluate(&mut *blocks, black_box(&state), &mut found);
-                black_box(&found);
-            });
-        });
-    }
-    group.finish();
+        let state = &state;
+        let work = move || {
+            evaluate(&mut *blocks, black_box(state), &mut found);
+            black_box(&found);
+        };
+        (name, Box::new(work))
+    });
+    compare(criterion, &format!("kernels/{}", kind.name()), ways.collect());
 }
 
 fn main() {
-    run(|criterion| {
-        for kind in RELATIONS {
-            relation(criterion, kind);
-        }
-    });
+    let mut criterion = criterion();
+    for kind in RELATIONS {
+        relation(&mut criterion, kind);
+    }
+    criterion.final_summary();
 }

@@ -7,7 +7,7 @@ use std::hint::black_box;
 
 use common::assembly::{Assembly, Method};
 use common::assert_same;
-use common::measure::{BASE, run};
+use common::measure::{Way, compare, criterion};
 use common::methods::{DIFFERENCES, DUALS, Differences, Symbolic, duals, gradient};
 use common::scene::Scene;
 use criterion::Criterion;
@@ -54,7 +54,7 @@ impl Step {
 
 fn newton_step(criterion: &mut Criterion, scene: &Scene) {
     let methods: [(&str, Method, f64); 4] = [
-        (BASE, |kind| Box::new(Symbolic::new(kind)), DUALS),
+        ("symbolic", |kind| Box::new(Symbolic::new(kind)), DUALS),
         ("curvature by differences", |kind| Box::new(Differences::new(kind)), DIFFERENCES),
         ("curvature by duals, one direction", duals::for_curvature, DUALS),
         ("curvature by duals, all at once", gradient::for_curvature, DUALS),
@@ -63,28 +63,27 @@ fn newton_step(criterion: &mut Criterion, scene: &Scene) {
     expected.fill(scene);
     expected.solve();
 
-    let mut group = criterion.benchmark_group("newton_step");
+    let mut ways: Vec<Way<'_>> = vec![];
     for (name, method, tolerance) in methods {
         let mut step = Step::new(scene, method);
         step.fill(scene);
         step.solve();
         // Rounding of the matrix is magnified by its condition.
         assert_same(name, &step.step, &expected.step, 100.0 * tolerance);
-        group.bench_function(name, |bencher| {
-            bencher.iter(|| {
-                step.fill(black_box(scene));
-                step.solve();
-                black_box(&step.step);
-            });
-        });
+        let work = move || {
+            step.fill(black_box(scene));
+            step.solve();
+            black_box(&step.step);
+        };
+        ways.push((name, Box::new(work)));
     }
-    group.finish();
-
-    let mut group = criterion.benchmark_group("newton_step/parts");
-    let mut step = Step::new(scene, methods[0].1);
-    group.bench_function(BASE, |bencher| bencher.iter(|| step.fill(black_box(scene))));
-    group.bench_function("factorise and solve", |bencher| bencher.iter(|| step.solve()));
-    group.finish();
+    // The part that no way of finding curvature can save.
+    let work = move || {
+        expected.solve();
+        black_box(&expected.step);
+    };
+    ways.push(("factorise and solve alone", Box::new(work)));
+    compare(criterion, "newton_step", ways);
 }
 
 /// The dense LU factorisation of faer in memory that is set aside once.
@@ -147,21 +146,22 @@ fn linear(criterion: &mut Criterion, name: &str, pattern: &Pattern, values: &[f6
     dense.solve(values, &mut found);
     assert_same(name, &found, &expected, 1e-10);
 
-    let mut group = criterion.benchmark_group(format!("newton_step/{name}"));
-    group.bench_function("sparse", |bencher| {
-        bencher.iter(|| {
-            found.copy_from_slice(&right_side);
-            sparse.factorise(black_box(values)).expect("the matrix is regular");
-            sparse.solve(&mut found).expect("the matrix is regular");
-        });
-    });
-    group.bench_function("dense", |bencher| {
-        bencher.iter(|| {
-            found.copy_from_slice(&right_side);
-            dense.solve(black_box(values), &mut found);
-        });
-    });
-    group.finish();
+    let mut x = right_side.clone();
+    let b = &right_side;
+    let sparse_work = move || {
+        x.copy_from_slice(b);
+        sparse.factorise(black_box(values)).expect("the matrix is regular");
+        sparse.solve(&mut x).expect("the matrix is regular");
+        black_box(&x);
+    };
+    let dense_work = move || {
+        found.copy_from_slice(b);
+        dense.solve(black_box(values), &mut found);
+        black_box(&found);
+    };
+    let ways: Vec<Way<'_>> =
+        vec![("sparse LU", Box::new(sparse_work)), ("dense LU", Box::new(dense_work))];
+    compare(criterion, &format!("newton_step/{name}"), ways);
 }
 
 fn main() {
@@ -172,9 +172,9 @@ fn main() {
     let Scene { expansion, numbering, phi_q, .. } = &scene;
     let mut jacobian = Assembly::jacobian(expansion, numbering, phi_q, method);
     jacobian.fill_jacobian(&scene.state, &scene.h, &mut step.phi);
-    run(|criterion| {
-        newton_step(criterion, &scene);
-        linear(criterion, "lu of kkt", &scene.kkt, step.assembly.values());
-        linear(criterion, "lu of phi_q", phi_q, jacobian.values());
-    });
+    let mut criterion = criterion();
+    newton_step(&mut criterion, &scene);
+    linear(&mut criterion, "lu of kkt", &scene.kkt, step.assembly.values());
+    linear(&mut criterion, "lu of phi_q", phi_q, jacobian.values());
+    criterion.final_summary();
 }

@@ -11,7 +11,7 @@ use std::hint::black_box;
 
 use common::assembly::{Assembly, Method};
 use common::assert_same;
-use common::measure::{BASE, run};
+use common::measure::{Way, compare, criterion};
 use common::methods::{DUALS, Differences, Symbolic, duals, gradient};
 use common::scene::Scene;
 use hardpoint::assembly::{Terms, design_state};
@@ -173,38 +173,35 @@ fn main() {
     let [iterations, steps] =
         shipped(&mut system, &scene, |state| expected.extend_from_slice(state.as_flattened()));
     let methods: [(&str, Method); 4] = [
-        (BASE, |kind| Box::new(Symbolic::new(kind))),
+        ("symbolic", |kind| Box::new(Symbolic::new(kind))),
         ("differences, block by block", |kind| Box::new(Differences::new(kind))),
         ("duals, one direction at a time", duals::for_jacobian),
         ("duals, all directions at once", gradient::for_jacobian),
     ];
-    run(|criterion| {
-        let mut group = criterion.benchmark_group("sweep");
-        for (name, method) in methods {
-            let mut sweep = Sweep::new(&scene, method);
-            let mut found = vec![];
-            sweep.run(|state| found.extend_from_slice(state.as_flattened()));
-            // All ways end at the same solution, whatever their Jacobian.
-            assert_same(name, &found, &expected, DUALS);
-            println!(
-                "{name}: {} iterations, library: {iterations} in {steps} steps",
-                sweep.iterations
-            );
-            group.bench_function(name, |bencher| {
-                bencher.iter(|| {
-                    sweep.run(|state| {
-                        black_box(state);
-                    })
-                });
+    println!("as shipped: {iterations} Newton iterations in {steps} steps");
+    let mut ways: Vec<Way<'_>> = vec![];
+    for (name, method) in methods {
+        let mut sweep = Sweep::new(&scene, method);
+        let mut found = vec![];
+        sweep.run(|state| found.extend_from_slice(state.as_flattened()));
+        // All ways end at the same solution, whatever their Jacobian.
+        assert_same(name, &found, &expected, DUALS);
+        println!("{name}: {} Newton iterations in 27 steps", sweep.iterations);
+        let work = move || {
+            sweep.run(|state| {
+                black_box(state);
             });
-        }
-        group.bench_function("as shipped", |bencher| {
-            bencher.iter(|| {
-                shipped(&mut system, &scene, |state| {
-                    black_box(state);
-                })
-            });
+        };
+        ways.push((name, Box::new(work)));
+    }
+    let scene = &scene;
+    let work = move || {
+        shipped(&mut system, scene, |state| {
+            black_box(state);
         });
-        group.finish();
-    });
+    };
+    ways.push(("as shipped", Box::new(work)));
+    let mut criterion = criterion();
+    compare(&mut criterion, "sweep", ways);
+    criterion.final_summary();
 }

@@ -2,19 +2,18 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Prescribed coordinate of a point
+///
+/// `(A_i a_i)ᵀ (r_j + A_j s_j − r_i − A_i s_i) − c = 0` (unit m)
+///
+/// Source: method paper, eq. (16), with a prescribed value.
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `a_i` | 1 | body i | unit direction of the coordinate |
+/// | 3..6 | `s_i` | m | body i | point where the coordinate is zero |
+/// | 6..9 | `s_j` | m | body j | point whose coordinate is prescribed |
+/// | 9 | `value` | m |  | the coordinate |
 pub mod displacement {
-    //! Prescribed coordinate of a point
-    //!
-    //! `(A_i a_i)ᵀ (r_j + A_j s_j − r_i − A_i s_i) − c = 0` (unit m)
-    //!
-    //! Source: method paper, eq. (16), with a prescribed value.
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `a_i` | 1 | body i | unit direction of the coordinate |
-    //! | 3..6 | `s_i` | m | body i | point where the coordinate is zero |
-    //! | 6..9 | `s_j` | m | body j | point whose coordinate is prescribed |
-    //! | 9 | `value` | m |  | the coordinate |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,
@@ -704,7 +703,7 @@ pub mod displacement {
         force_h: &mut [S; 78],
     ) {
         let two = S::from_f64(2.0);
-        let minus_k1 = S::from_f64(-1.0);
+        let minus_one = S::from_f64(-1.0);
         let k4 = S::from_f64(4.0);
         let t0 = q_j[4] * h[7] + (q_j[3] * h[8] - h[6] * q_j[5]);
         let t1 = h[8] * q_j[6] + (h[6] * q_j[4] + q_j[5] * h[7]);
@@ -874,7 +873,7 @@ pub mod displacement {
         phi_h[6] = t49 * t55 + (t46 * t58 + t48 * t61);
         phi_h[7] = t45 * t64 + (t50 * t65 + t48 * t68);
         phi_h[8] = t47 * t69 + (t50 * t70 + t46 * t71);
-        phi_h[9] = minus_k1;
+        phi_h[9] = minus_one;
         force_h[0] = -t72;
         force_h[1] = -t74;
         force_h[2] = -t76;

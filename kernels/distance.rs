@@ -2,18 +2,17 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Distance of two points
+///
+/// `|d_ij| − l = 0, d_ij = r_j + A_j s_j − r_i − A_i s_i` (unit m)
+///
+/// Source: method paper, eq. (20), (21).
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `s_i` | m | body i | first end |
+/// | 3..6 | `s_j` | m | body j | second end, never at the first |
+/// | 6 | `length` | m |  | distance of the ends |
 pub mod distance {
-    //! Distance of two points
-    //!
-    //! `|d_ij| − l = 0, d_ij = r_j + A_j s_j − r_i − A_i s_i` (unit m)
-    //!
-    //! Source: method paper, eq. (20), (21).
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `s_i` | m | body i | first end |
-    //! | 3..6 | `s_j` | m | body j | second end, never at the first |
-    //! | 6 | `length` | m |  | distance of the ends |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,
@@ -791,7 +790,7 @@ pub mod distance {
         let one = S::from_f64(1.0);
         let two = S::from_f64(2.0);
         let half = S::from_f64(0.5);
-        let minus_k1 = S::from_f64(-1.0);
+        let minus_one = S::from_f64(-1.0);
         let k4 = S::from_f64(4.0);
         let t0 = h[5] * q_j[6] + (q_j[4] * h[3] + h[4] * q_j[5]);
         let t1 = q_j[6] * h[3] + (q_j[3] * h[4] - h[5] * q_j[4]);
@@ -950,7 +949,7 @@ pub mod distance {
         phi_h[3] = t54;
         phi_h[4] = t62 * two;
         phi_h[5] = t66 * two;
-        phi_h[6] = minus_k1;
+        phi_h[6] = minus_one;
         force_h[0] = -t70;
         force_h[1] = -t73;
         force_h[2] = -t76;

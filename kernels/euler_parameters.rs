@@ -2,12 +2,11 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Normalisation of Euler parameters
+///
+/// `pᵀp − 1 = 0` (unit 1)
+///
+/// Source: Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, eq. (9.3.8).
 pub mod euler_parameters {
-    //! Normalisation of Euler parameters
-    //!
-    //! `pᵀp − 1 = 0` (unit 1)
-    //!
-    //! Source: Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, eq. (9.3.8).
     use super::{
         Coordinates, Operations, Place, Relation, Scalar, Shape, exact, exact_mut,
     };
@@ -136,9 +135,9 @@ pub mod euler_parameters {
     /// 4 additions, 4 multiplications, 0 divisions, 0 functions.
     #[inline]
     pub fn residual<S: Scalar>(q_i: &[S; 7], _h: &[S; 0], phi: &mut [S; 1]) {
-        let minus_k1 = S::from_f64(-1.0);
+        let minus_one = S::from_f64(-1.0);
         phi[0] = q_i[6] * q_i[6]
-            + (q_i[5] * q_i[5] + (q_i[4] * q_i[4] + (minus_k1 + q_i[3] * q_i[3])));
+            + (q_i[5] * q_i[5] + (q_i[4] * q_i[4] + (minus_one + q_i[3] * q_i[3])));
     }
     /// Φ, Φ_q and W.
     ///
@@ -151,10 +150,10 @@ pub mod euler_parameters {
         phi_q: &mut [S; 4],
         _work: &mut [S; 0],
     ) {
-        let minus_k1 = S::from_f64(-1.0);
+        let minus_one = S::from_f64(-1.0);
         let two = S::from_f64(2.0);
         phi[0] = q_i[6] * q_i[6]
-            + (q_i[5] * q_i[5] + (q_i[4] * q_i[4] + (minus_k1 + q_i[3] * q_i[3])));
+            + (q_i[5] * q_i[5] + (q_i[4] * q_i[4] + (minus_one + q_i[3] * q_i[3])));
         phi_q[0] = q_i[3] * two;
         phi_q[1] = q_i[4] * two;
         phi_q[2] = q_i[5] * two;
@@ -173,11 +172,11 @@ pub mod euler_parameters {
         _work: &mut [S; 0],
         curvature: &mut [S; 4],
     ) {
-        let minus_k1 = S::from_f64(-1.0);
+        let minus_one = S::from_f64(-1.0);
         let two = S::from_f64(2.0);
         let t0 = lambda[0] * two;
         phi[0] = q_i[6] * q_i[6]
-            + (q_i[5] * q_i[5] + (q_i[4] * q_i[4] + (minus_k1 + q_i[3] * q_i[3])));
+            + (q_i[5] * q_i[5] + (q_i[4] * q_i[4] + (minus_one + q_i[3] * q_i[3])));
         phi_q[0] = q_i[3] * two;
         phi_q[1] = q_i[4] * two;
         phi_q[2] = q_i[5] * two;

@@ -2,17 +2,16 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Orthogonal, type 1
+///
+/// `(A_i u_i)ᵀ (A_j v_j) = 0` (unit 1)
+///
+/// Source: method paper, eq. (13)–(15).
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `u_i` | 1 | body i | direction that stays normal to v_j |
+/// | 3..6 | `v_j` | 1 | body j | direction that stays normal to u_i |
 pub mod orthogonal_1 {
-    //! Orthogonal, type 1
-    //!
-    //! `(A_i u_i)ᵀ (A_j v_j) = 0` (unit 1)
-    //!
-    //! Source: method paper, eq. (13)–(15).
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `u_i` | 1 | body i | direction that stays normal to v_j |
-    //! | 3..6 | `v_j` | 1 | body j | direction that stays normal to u_i |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,

@@ -2,18 +2,17 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Orthogonal, type 2
+///
+/// `(A_i a_i)ᵀ (r_j + A_j s_j − r_i − A_i s_i) = 0` (unit m)
+///
+/// Source: method paper, eq. (16)–(18).
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `a_i` | 1 | body i | normal of the plane |
+/// | 3..6 | `s_i` | m | body i | point of the plane |
+/// | 6..9 | `s_j` | m | body j | point that stays in the plane |
 pub mod orthogonal_2 {
-    //! Orthogonal, type 2
-    //!
-    //! `(A_i a_i)ᵀ (r_j + A_j s_j − r_i − A_i s_i) = 0` (unit m)
-    //!
-    //! Source: method paper, eq. (16)–(18).
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `a_i` | 1 | body i | normal of the plane |
-    //! | 3..6 | `s_i` | m | body i | point of the plane |
-    //! | 6..9 | `s_j` | m | body j | point that stays in the plane |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,

@@ -2,19 +2,18 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Prescribed height of the tyre contact patch
+///
+/// `e_zᵀ (r + A s) − R √(1 − (e_zᵀ A u)²) − z = 0` (unit m)
+///
+/// Source: lowest point of a disc of radius R in the wheel plane, normal to u: r + A s + R d/|d|, d = −e_z + (A u)(e_zᵀ A u).
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `s_i` | m | body i | wheel centre |
+/// | 3..6 | `u_i` | 1 | body i | unit vector of the spin axis, not vertical |
+/// | 6 | `radius` | m |  | radius of the disc |
+/// | 7 | `height` | m |  | height of its lowest point in the frame of the ground |
 pub mod patch_height {
-    //! Prescribed height of the tyre contact patch
-    //!
-    //! `e_zᵀ (r + A s) − R √(1 − (e_zᵀ A u)²) − z = 0` (unit m)
-    //!
-    //! Source: lowest point of a disc of radius R in the wheel plane, normal to u: r + A s + R d/|d|, d = −e_z + (A u)(e_zᵀ A u).
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `s_i` | m | body i | wheel centre |
-    //! | 3..6 | `u_i` | 1 | body i | unit vector of the spin axis, not vertical |
-    //! | 6 | `radius` | m |  | radius of the disc |
-    //! | 7 | `height` | m |  | height of its lowest point in the frame of the ground |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,
@@ -335,7 +334,7 @@ pub mod patch_height {
     ) {
         let two = S::from_f64(2.0);
         let one = S::from_f64(1.0);
-        let minus_k1 = S::from_f64(-1.0);
+        let minus_one = S::from_f64(-1.0);
         let k4 = S::from_f64(4.0);
         let t0 = q_i[4] * q_i[6] - q_i[3] * q_i[5];
         let t1 = q_i[3] * q_i[4] + q_i[5] * q_i[6];
@@ -382,7 +381,7 @@ pub mod patch_height {
         phi_h[4] = t11 * t12;
         phi_h[5] = h[6] * t13;
         phi_h[6] = -t8;
-        phi_h[7] = minus_k1;
+        phi_h[7] = minus_one;
         force_h[0] = t16;
         force_h[1] = t17;
         force_h[2] = t18;

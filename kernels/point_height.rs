@@ -2,17 +2,16 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Prescribed height of a point
+///
+/// `e_zᵀ (r + A s) − z = 0` (unit m)
+///
+/// Source: the z row of method paper, eq. (10), against the ground.
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `s_i` | m | body i | the point |
+/// | 3 | `height` | m |  | its height in the frame of the ground |
 pub mod point_height {
-    //! Prescribed height of a point
-    //!
-    //! `e_zᵀ (r + A s) − z = 0` (unit m)
-    //!
-    //! Source: the z row of method paper, eq. (10), against the ground.
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `s_i` | m | body i | the point |
-    //! | 3 | `height` | m |  | its height in the frame of the ground |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,
@@ -255,7 +254,7 @@ pub mod point_height {
         force_h: &mut [S; 12],
     ) {
         let two = S::from_f64(2.0);
-        let minus_k1 = S::from_f64(-1.0);
+        let minus_one = S::from_f64(-1.0);
         let t0 = lambda[0] * two;
         let t1 = q_i[5] * t0;
         let t2 = -t1;
@@ -266,7 +265,7 @@ pub mod point_height {
         phi_h[1] = (q_i[3] * q_i[4] + q_i[5] * q_i[6]) * two;
         phi_h[2] = q_i[6] * q_i[6]
             + (q_i[3] * q_i[3] - (q_i[4] * q_i[4] + q_i[5] * q_i[5]));
-        phi_h[3] = minus_k1;
+        phi_h[3] = minus_one;
         force_h[0] = t2;
         force_h[1] = t3;
         force_h[2] = t4;

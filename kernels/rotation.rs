@@ -2,19 +2,18 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Prescribed angle about an axis
+///
+/// `sin(θ − α) = 0, with cos θ = (A_i u_i)ᵀ A_j w_j and sin θ = (A_i v_i)ᵀ A_j w_j` (unit 1)
+///
+/// Source: Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, section 9.4.3; in sine form, so that it is smooth over several turns.
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `u_i` | 1 | body i | unit vector normal to the axis, where the angle is zero |
+/// | 3..6 | `v_i` | 1 | body i | unit vector normal to the axis and to u_i, a quarter turn on |
+/// | 6..9 | `w_j` | 1 | body j | unit vector normal to the axis, whose angle is prescribed |
+/// | 9 | `angle` | rad |  | the angle |
 pub mod rotation {
-    //! Prescribed angle about an axis
-    //!
-    //! `sin(θ − α) = 0, with cos θ = (A_i u_i)ᵀ A_j w_j and sin θ = (A_i v_i)ᵀ A_j w_j` (unit 1)
-    //!
-    //! Source: Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, section 9.4.3; in sine form, so that it is smooth over several turns.
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `u_i` | 1 | body i | unit vector normal to the axis, where the angle is zero |
-    //! | 3..6 | `v_i` | 1 | body i | unit vector normal to the axis and to u_i, a quarter turn on |
-    //! | 6..9 | `w_j` | 1 | body j | unit vector normal to the axis, whose angle is prescribed |
-    //! | 9 | `angle` | rad |  | the angle |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,

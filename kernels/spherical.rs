@@ -2,17 +2,16 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Spherical joint
+///
+/// `r_j + A_j s_j − r_i − A_i s_i = 0` (unit m)
+///
+/// Source: method paper, eq. (10)–(12).
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `s_i` | m | body i | joint point |
+/// | 3..6 | `s_j` | m | body j | joint point |
 pub mod spherical {
-    //! Spherical joint
-    //!
-    //! `r_j + A_j s_j − r_i − A_i s_i = 0` (unit m)
-    //!
-    //! Source: method paper, eq. (10)–(12).
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `s_i` | m | body i | joint point |
-    //! | 3..6 | `s_j` | m | body j | joint point |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,
@@ -345,7 +344,7 @@ pub mod spherical {
         phi_q: &mut [S; 30],
         _work: &mut [S; 0],
     ) {
-        let minus_k1 = S::from_f64(-1.0);
+        let minus_one = S::from_f64(-1.0);
         let two = S::from_f64(2.0);
         let one = S::from_f64(1.0);
         let t0 = q_j[3] * h[5] + h[4] * q_j[4] - h[3] * q_j[5];
@@ -376,7 +375,7 @@ pub mod spherical {
         phi[0] = q_j[0] + t4 - q_i[0] - t9;
         phi[1] = q_j[1] + t10 - q_i[1] - t11;
         phi[2] = q_j[2] + t12 - q_i[2] - t13;
-        phi_q[0] = minus_k1;
+        phi_q[0] = minus_one;
         phi_q[1] = t15;
         phi_q[2] = t16;
         phi_q[3] = t18;
@@ -386,7 +385,7 @@ pub mod spherical {
         phi_q[7] = t21;
         phi_q[8] = t22;
         phi_q[9] = -t23;
-        phi_q[10] = minus_k1;
+        phi_q[10] = minus_one;
         phi_q[11] = t24;
         phi_q[12] = t17;
         phi_q[13] = t16;
@@ -396,7 +395,7 @@ pub mod spherical {
         phi_q[17] = -t22;
         phi_q[18] = t21;
         phi_q[19] = t20;
-        phi_q[20] = minus_k1;
+        phi_q[20] = minus_one;
         phi_q[21] = t18;
         phi_q[22] = t24;
         phi_q[23] = t14;
@@ -421,7 +420,7 @@ pub mod spherical {
         _work: &mut [S; 0],
         curvature: &mut [S; 20],
     ) {
-        let minus_k1 = S::from_f64(-1.0);
+        let minus_one = S::from_f64(-1.0);
         let two = S::from_f64(2.0);
         let one = S::from_f64(1.0);
         let t0 = q_j[4] * h[4] + (h[5] * q_j[3] - h[3] * q_j[5]);
@@ -475,7 +474,7 @@ pub mod spherical {
         phi[0] = q_j[0] + t4 - q_i[0] - t9;
         phi[1] = q_j[1] + t10 - q_i[1] - t11;
         phi[2] = q_j[2] + t12 - q_i[2] - t13;
-        phi_q[0] = minus_k1;
+        phi_q[0] = minus_one;
         phi_q[1] = t15;
         phi_q[2] = t16;
         phi_q[3] = t18;
@@ -485,7 +484,7 @@ pub mod spherical {
         phi_q[7] = t21;
         phi_q[8] = t22;
         phi_q[9] = -t23;
-        phi_q[10] = minus_k1;
+        phi_q[10] = minus_one;
         phi_q[11] = t24;
         phi_q[12] = t17;
         phi_q[13] = t16;
@@ -495,7 +494,7 @@ pub mod spherical {
         phi_q[17] = -t22;
         phi_q[18] = t21;
         phi_q[19] = t20;
-        phi_q[20] = minus_k1;
+        phi_q[20] = minus_one;
         phi_q[21] = t18;
         phi_q[22] = t24;
         phi_q[23] = t14;

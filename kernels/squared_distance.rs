@@ -2,18 +2,17 @@
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
 /// Constant distance, squared
+///
+/// `d_ijᵀ d_ij − l² = 0, d_ij = r_j + A_j s_j − r_i − A_i s_i` (unit m^2)
+///
+/// Source: Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, section 9.4.1.
+///
+/// | h | parameter | unit | frame | meaning |
+/// |---|---|---|---|---|
+/// | 0..3 | `s_i` | m | body i | first end |
+/// | 3..6 | `s_j` | m | body j | second end |
+/// | 6 | `length` | m |  | distance of the ends, not zero |
 pub mod squared_distance {
-    //! Constant distance, squared
-    //!
-    //! `d_ijᵀ d_ij − l² = 0, d_ij = r_j + A_j s_j − r_i − A_i s_i` (unit m^2)
-    //!
-    //! Source: Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, section 9.4.1.
-    //!
-    //! | h | parameter | unit | frame | meaning |
-    //! |---|---|---|---|---|
-    //! | 0..3 | `s_i` | m | body i | first end |
-    //! | 3..6 | `s_j` | m | body j | second end |
-    //! | 6 | `length` | m |  | distance of the ends, not zero |
     use super::{
         Coordinates, Operations, Parameter, Place, Relation, Scalar, Shape, exact,
         exact_mut,

@@ -3,6 +3,8 @@
 //! With the feature `symbolic` they are derived when the crate is built;
 //! without it the committed copy in `kernels/`, which is the same text, is compiled.
 
+#![allow(clippy::too_many_arguments, reason = "a kernel has one argument for each array")]
+
 use crate::relation::{
     Coordinates, Operations, Parameter, Place, Relation, Shape, exact, exact_mut,
 };

@@ -27,6 +27,8 @@ pub trait Scalar:
     fn sin(self) -> Self;
     /// The cosine of an angle in radians.
     fn cos(self) -> Self;
+    /// The angle (rad) of the point (`x`, `self`) from the x axis, in (−π, π].
+    fn atan2(self, x: Self) -> Self;
 }
 
 impl Scalar for f64 {
@@ -45,6 +47,10 @@ impl Scalar for f64 {
     #[inline(always)]
     fn cos(self) -> Self {
         f64::cos(self)
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        f64::atan2(self, x)
     }
 }
 
@@ -127,5 +133,11 @@ impl Scalar for Dual {
     fn cos(self) -> Self {
         let (sin, cos) = self.value.sin_cos();
         Self::new(cos, -self.derivative * sin)
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        let square = x.value * x.value + self.value * self.value;
+        let derivative = (self.derivative * x.value - x.derivative * self.value) / square;
+        Self::new(self.value.atan2(x.value), derivative)
     }
 }

@@ -158,3 +158,50 @@ fn joints_that_lock_a_redundant_mechanism_are_found_by_its_residual() {
     assert!(message.contains("stay (rigid link of ground and door)"), "{message}");
     assert!(system.driver_value(swing).abs() < 1e-3, "{message}");
 }
+
+/// Two legs of two plates each, hinged about y and about x: the top can only rise.
+#[test]
+fn a_sarrus_linkage_is_movable_with_one_redundant_equation() {
+    let (width, height) = (0.2_f64, 0.5_f64);
+    let mut m = Mechanism::new("floor");
+    let top = m.add_body("top", [0.0, 0.0, height]).unwrap();
+    let mut knees = vec![];
+    for (name, out, axis) in
+        [("x", [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]), ("y", [0.0, 1.0, 0.0], [1.0, 0.0, 0.0])]
+    {
+        let at = |distance: f64, z: f64| [distance * out[0], distance * out[1], z];
+        let foot = m.add_point(&format!("foot_{name}"), at(1.0, 0.0)).unwrap();
+        let knee = m.add_point(&format!("knee_{name}"), at(1.0 + width, 0.5 * height)).unwrap();
+        let head = m.add_point(&format!("head_{name}"), at(1.0, height)).unwrap();
+        let lower = m.add_body(&format!("lower_{name}"), at(1.0, 0.0)).unwrap();
+        let upper = m.add_body(&format!("upper_{name}"), at(1.0, height)).unwrap();
+        let axis = Direction::Fixed(axis);
+        let hinge = |at| JointKind::Revolute { at, axis };
+        m.add_joint(&format!("foot_{name}"), GROUND, lower, hinge(foot)).unwrap();
+        m.add_joint(&format!("knee_{name}"), lower, upper, hinge(knee)).unwrap();
+        m.add_joint(&format!("head_{name}"), upper, top, hinge(head)).unwrap();
+        knees.push((lower, knee, out));
+    }
+    let head = m.point_named("head_x").unwrap();
+    let rise = m.add_driver("rise", GROUND, top, DriverKind::Height { at: head }).unwrap();
+    let mut system = System::new(m).unwrap();
+    let freedom = system.freedom();
+    assert_eq!((freedom.redundant.len(), freedom.degrees_of_freedom), (1, 1), "{freedom}");
+    assert!(freedom.free_motions.is_empty(), "{freedom}");
+    let leg = width.hypot(0.5 * height);
+    for dz in [0.1, -0.35, 0.0, 0.13] {
+        system.move_to(&[(rise, dz)]).unwrap();
+        let half = 0.5 * (height + dz);
+        let reach = 1.0 + (leg * leg - half * half).sqrt();
+        for (lower, knee, out) in &knees {
+            let expected = [reach * out[0], reach * out[1], half];
+            let actual = system.point_position(*lower, *knee);
+            assert!(common::difference(&actual, &expected) < 1e-10, "{actual:?} {expected:?}");
+        }
+        let upright = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+        assert!(common::difference(system.rotation(top).as_flattened(), &upright) < 1e-10);
+    }
+    let stop = system.move_to(&[(rise, 1.0)]).unwrap_err();
+    let limit = 2.0 * leg - height;
+    assert!((stop.reached[0].value - limit).abs() < 1e-8, "{stop} {limit}");
+}

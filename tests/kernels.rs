@@ -1,12 +1,13 @@
 //! The generated kernels against dual numbers and against residuals written independently.
 
-mod support;
+#[path = "common/dual.rs"]
+mod dual;
 
+use dual::{First, Foreign, Second, State, dot, rotation_matrix, times};
 use hardpoint::kernels::RelationKind;
 use hardpoint::relation::{Place, Shape};
 use hardpoint::scalar::{Dual, Scalar};
 use num_dual::{Dual64, HyperDual64};
-use support::{First, Foreign, Second, State, dot, rotation_matrix, times};
 
 const STATES: usize = 20;
 const TOLERANCE: f64 = 1e-12;

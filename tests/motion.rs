@@ -3,8 +3,10 @@
 mod common;
 
 use common::{SEDAN, TieRod, difference, double_wishbone};
-use hardpoint::mechanism::{BodyId, Direction, DriverKind, JointKind, Mechanism};
-use hardpoint::solve::System;
+use hardpoint::mechanism::{
+    BodyId, Direction, DriverId, DriverKind, JointKind, Mechanism, PointId,
+};
+use hardpoint::solve::{StopReason, System};
 use proptest::prelude::*;
 
 fn yaw(angle: f64, [x, y, z]: [f64; 3]) -> [f64; 3] {
@@ -17,7 +19,7 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, max_global_rejects: 1_000_000, ..ProptestConfig::default() })]
 
     /// The whole vehicle yawed and moved makes the same motion.
     #[test]
@@ -129,5 +131,111 @@ proptest! {
         let base = [b[0] - a[0], b[1] - a[1]];
         let to_pivot = [0.5 - b[0], -b[1]];
         prop_assert!(base[0] * to_pivot[1] - base[1] * to_pivot[0] < 0.0);
+    }
+
+    /// A planar four-bar, driven far: it either arrives on its own branch or stops
+    /// where coupler and rocker come in line.
+    #[test]
+    fn a_four_bar_never_leaves_its_branch(
+        lengths in prop::array::uniform4(0.1..0.5_f64),
+        theta in -3.0..3.0_f64,
+        side in prop::sample::select(vec![-1.0, 1.0]),
+        turn in -9.0..9.0_f64,
+    ) {
+        let across = |theta: f64| FourBar { lengths, side }.across_squared(theta);
+        prop_assume!(across(theta) > 1e-3);
+        let samples = 4000;
+        let at = |k: usize| theta + turn * k as f64 / samples as f64;
+        let first_outside = (0..=samples).find(|&k| across(at(k)) <= 0.0);
+        // Branches that nearly touch are not told apart by sampling.
+        let inside = first_outside.unwrap_or(samples + 1);
+        prop_assume!((1..inside.saturating_sub(1)).all(|k| {
+            let dip = across(at(k)) < across(at(k - 1)) && across(at(k)) < across(at(k + 1));
+            !dip || across(at(k)) > 1e-5
+        }));
+
+        let bar = FourBar { lengths, side };
+        let (mut system, drive, rocker, b) = bar.build(theta);
+        match first_outside {
+            None => {
+                let report = system.move_to(&[(drive, turn)]);
+                prop_assert!(report.is_ok(), "{}", report.unwrap_err());
+                let actual = system.point_position(rocker, b);
+                prop_assert!(difference(&actual, &bar.rocker_pin(theta + turn)) < 1e-10);
+            }
+            Some(k) => {
+                let (mut low, mut high) = (at(k - 1), at(k));
+                for _ in 0..60 {
+                    let middle = 0.5 * (low + high);
+                    if across(middle) > 0.0 { low = middle } else { high = middle }
+                }
+                prop_assume!((theta + turn - low).abs() > 1e-6);
+                let stop = system.move_to(&[(drive, turn)]);
+                prop_assert!(stop.is_err(), "passed {low}");
+                let stop = stop.unwrap_err();
+                let reached = system.driver_value(drive);
+                prop_assert!((reached - (low - theta)).abs() < 1e-7, "{stop}, not {low}");
+                let StopReason::DeadCentre { joint, .. } = &stop.reason else {
+                    return Err(TestCaseError::fail(stop.to_string()));
+                };
+                let elbow = "rocker_pin (revolute joint of coupler and rocker)";
+                prop_assert_eq!(joint.as_deref(), Some(elbow));
+            }
+        }
+    }
+}
+
+/// A four-bar in the x–y plane with its crank pivot at the origin.
+#[derive(Clone, Copy)]
+struct FourBar {
+    /// Crank, coupler, rocker, base (m).
+    lengths: [f64; 4],
+    /// Which of the two assemblies.
+    side: f64,
+}
+
+impl FourBar {
+    fn crank_pin(&self, theta: f64) -> [f64; 3] {
+        [self.lengths[0] * theta.cos(), self.lengths[0] * theta.sin(), 0.0]
+    }
+
+    /// The square of the rocker pin's distance from the line between crank pin and rocker
+    /// pivot, with its sign: negative where the mechanism cannot be.
+    fn across_squared(&self, theta: f64) -> f64 {
+        let [_, coupler, rocker, base] = self.lengths;
+        let d = distance(self.crank_pin(theta), [base, 0.0, 0.0]);
+        let along = (d * d + coupler * coupler - rocker * rocker) / (2.0 * d);
+        coupler * coupler - along * along
+    }
+
+    fn rocker_pin(&self, theta: f64) -> [f64; 3] {
+        let [_, coupler, rocker, base] = self.lengths;
+        let a = self.crank_pin(theta);
+        let (dx, dy) = (base - a[0], -a[1]);
+        let d = dx.hypot(dy);
+        let along = (d * d + coupler * coupler - rocker * rocker) / (2.0 * d);
+        let across = self.side * self.across_squared(theta).sqrt();
+        [a[0] + (along * dx - across * dy) / d, a[1] + (along * dy + across * dx) / d, 0.0]
+    }
+
+    /// The mechanism at a crank angle, all joints revolute.
+    fn build(&self, theta: f64) -> (System, DriverId, BodyId, PointId) {
+        let axis = Direction::Fixed([0.0, 0.0, 1.0]);
+        let mut m = Mechanism::new("frame");
+        let o = m.add_point("o", [0.0; 3]).unwrap();
+        let a = m.add_point("a", self.crank_pin(theta)).unwrap();
+        let b = m.add_point("b", self.rocker_pin(theta)).unwrap();
+        let c = m.add_point("c", [self.lengths[3], 0.0, 0.0]).unwrap();
+        let crank = m.add_body("crank", [0.0; 3]).unwrap();
+        let coupler = m.add_body("coupler", self.crank_pin(theta)).unwrap();
+        let rocker = m.add_body("rocker", [self.lengths[3], 0.0, 0.0]).unwrap();
+        let hinge = |at| JointKind::Revolute { at, axis };
+        m.add_joint("crank_pivot", BodyId::GROUND, crank, hinge(o)).unwrap();
+        m.add_joint("crank_pin", crank, coupler, hinge(a)).unwrap();
+        m.add_joint("rocker_pin", coupler, rocker, hinge(b)).unwrap();
+        m.add_joint("rocker_pivot", BodyId::GROUND, rocker, hinge(c)).unwrap();
+        let rotation = DriverKind::Rotation { axis };
+        let drive = m.add_driver("drive", BodyId::GROUND, crank, rotation).unwrap();
+        (System::new(m).unwrap(), drive, rocker, b)
     }
 }

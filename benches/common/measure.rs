@@ -1,77 +1,87 @@
-//! How long things are measured, and the ratios at the end of a run.
+//! How long things are measured, and what is a ratio.
 
-use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime};
-use std::{env, fs};
+use std::env;
+use std::time::{Duration, Instant};
 
 use criterion::Criterion;
 
-/// The alternative that all others of a group are divided by.
-pub const BASE: &str = "symbolic";
+/// A way to do something, with its name.
+pub type Way<'a> = (&'static str, Box<dyn FnMut() + 'a>);
 
-/// Runs groups of benchmarks and prints their ratios.
-pub fn run(groups: impl FnOnce(&mut Criterion)) {
-    let start = SystemTime::now();
-    let mut criterion = Criterion::default()
-        .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_millis(1000))
+/// How long a way runs before its neighbour gets its turn.
+const BURST: Duration = Duration::from_micros(500);
+/// How often each way gets its turn. An odd number, so that the median is one of them.
+const ROUNDS: usize = 201;
+
+/// Criterion with times that suit several dozen benchmarks.
+pub fn criterion() -> Criterion {
+    Criterion::default()
+        .warm_up_time(Duration::from_millis(200))
+        .measurement_time(Duration::from_millis(500))
         .sample_size(30)
-        .configure_from_args();
-    groups(&mut criterion);
-    criterion.final_summary();
+        .configure_from_args()
+}
+
+/// Measures ways to the same end in one group and prints their times as
+/// multiples of that of the first.
+pub fn compare(criterion: &mut Criterion, name: &str, mut ways: Vec<Way<'_>>) {
+    let mut group = criterion.benchmark_group(name);
+    for (way, work) in &mut ways {
+        group.bench_function(*way, |bencher| bencher.iter(&mut *work));
+    }
+    group.finish();
     // `cargo test --benches` only tries whether everything runs.
     if env::args().any(|argument| argument == "--bench") {
-        print_ratios(start);
+        println!("\n{name}: time as a multiple of the first, and its middle half");
+        let ratios = ratios(&mut ways);
+        for ((way, _), [low, median, high]) in ways.iter().zip(ratios) {
+            println!("{median:9.2}  ({low:.2} … {high:.2})  {way}");
+        }
+        println!();
     }
 }
 
-/// Prints the medians that criterion has stored since `start`, divided by the
-/// base of their group.
-fn print_ratios(start: SystemTime) {
-    let mut measured = vec![];
-    medians(&results(), start, &mut measured);
-    measured.sort_by(|a, b| (&a.0, a.2).partial_cmp(&(&b.0, b.2)).expect("times are numbers"));
-    let base = |group: &str| {
-        measured.iter().find(|(of, function, _)| of == group && function == BASE).map(|m| m.2)
-    };
-    println!("time divided by that of `{BASE}`");
-    for (group, function, median) in &measured {
-        if let Some(base) = base(group) {
-            println!("{group:<28} {function:<40} {:8.2}", median / base);
+/// Quartiles of each way's time divided by that of the first way.
+///
+/// Criterion measures one way after the other. On a machine that others use the
+/// speed changes meanwhile, and with it the ratio of two medians. Here the
+/// ways take turns of half a millisecond, and only turns of the same round
+/// are divided.
+fn ratios(ways: &mut [Way<'_>]) -> Vec<[f64; 3]> {
+    let repetitions: Vec<u32> = ways.iter_mut().map(|(_, work)| repetitions(work)).collect();
+    let mut ratios = vec![vec![]; ways.len()];
+    for _ in 0..ROUNDS {
+        let mut first = None;
+        for (((_, work), &repetitions), ratios) in
+            ways.iter_mut().zip(&repetitions).zip(&mut ratios)
+        {
+            let time = time(work, repetitions) / f64::from(repetitions);
+            ratios.push(time / *first.get_or_insert(time));
         }
     }
+    ratios
+        .into_iter()
+        .map(|mut ratios| {
+            ratios.sort_by(f64::total_cmp);
+            [ROUNDS / 4, ROUNDS / 2, ROUNDS - 1 - ROUNDS / 4].map(|rank| ratios[rank])
+        })
+        .collect()
 }
 
-/// Where criterion writes, by its own rules.
-fn results() -> PathBuf {
-    match env::var_os("CRITERION_HOME") {
-        Some(home) => home.into(),
-        None => Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("criterion"),
+/// How often a way fits into a burst.
+fn repetitions(work: &mut dyn FnMut()) -> u32 {
+    let mut repetitions = 1;
+    while time(work, repetitions) < BURST.as_secs_f64() {
+        repetitions *= 2;
     }
+    repetitions
 }
 
-/// Group, function and median (ns) of every result below a folder.
-fn medians(folder: &Path, start: SystemTime, found: &mut Vec<(String, String, f64)>) {
-    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-        let path = entry.path();
-        if path.ends_with("new") {
-            found.extend(median(&path, start));
-        } else if path.is_dir() {
-            medians(&path, start, found);
-        }
+/// Seconds for a number of repetitions.
+fn time(work: &mut dyn FnMut(), repetitions: u32) -> f64 {
+    let start = Instant::now();
+    for _ in 0..repetitions {
+        work();
     }
-}
-
-fn median(folder: &Path, start: SystemTime) -> Option<(String, String, f64)> {
-    let estimates = folder.join("estimates.json");
-    if fs::metadata(&estimates).ok()?.modified().ok()? < start {
-        return None;
-    }
-    let read = |path: &Path| -> Option<serde_json::Value> {
-        serde_json::from_str(&fs::read_to_string(path).ok()?).ok()
-    };
-    let name = read(&folder.join("benchmark.json"))?;
-    let median = read(&estimates)?["median"]["point_estimate"].as_f64()?;
-    let part = |key: &str| name[key].as_str().map(str::to_owned);
-    Some((part("group_id")?, part("function_id")?, median))
+    start.elapsed().as_secs_f64()
 }

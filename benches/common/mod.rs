@@ -2,12 +2,11 @@
 #![allow(dead_code, reason = "each benchmark uses a part of it")]
 
 pub mod assembly;
+#[path = "../../tests/common/dual.rs"]
+pub mod dual;
 pub mod measure;
 pub mod methods;
 pub mod scene;
-#[macro_use]
-#[path = "../../tests/support/mod.rs"]
-pub mod support;
 
 /// Stops the benchmark if an alternative does not compute the same numbers.
 /// The tolerance is relative to the largest expected number.

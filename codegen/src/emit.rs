@@ -37,9 +37,8 @@ pub fn module(kernel: &Kernel, alphabet: &Alphabet) -> TokenStream {
     let functions = functions(kernel, alphabet);
     let implementation = implementation(kernel);
     quote! {
-        #[doc = #title]
+        #(#[doc = #docs])*
         pub mod #name {
-            #(#![doc = #docs])*
             use super::{
                 Coordinates, Operations, #parameter Place, Relation, Scalar, Shape, exact, exact_mut,
             };
@@ -477,6 +476,7 @@ fn constant_name(constant: (i64, i64)) -> proc_macro2::Ident {
     match constant {
         (0, _) => format_ident!("zero"),
         (1, 1) => format_ident!("one"),
+        (-1, 1) => format_ident!("minus_one"),
         (2, 1) => format_ident!("two"),
         (1, 2) => format_ident!("half"),
         (numerator, denominator) => {

@@ -98,7 +98,7 @@ impl Mechanism {
                 self.check_distance("driver", name, "length", on_i, on_j)?;
             }
             DriverKind::PatchHeight { center, spin, radius } => {
-                self.check_disc(name, center, spin, radius)?
+                self.check_disc(name, center, spin, radius)?;
             }
             _ => {}
         }

@@ -1,7 +1,7 @@
 //! Static equilibrium: coordinates and multipliers together (paper, eq. 4–7).
 
 use super::convergence::{Outcome, Tolerances};
-use super::linear::{SparseLu, largest};
+use super::linear::{LinearSolver, SparseLu, largest};
 use super::newton::{Equations, newton};
 use super::position::{Scales, move_bodies};
 use super::system::System;
@@ -16,7 +16,7 @@ use crate::relation::Coordinates;
 /// stiffness makes the matrix singular.
 pub struct Equilibrium {
     problem: Problem,
-    linear: SparseLu,
+    linear: Box<dyn LinearSolver>,
     step: Vec<f64>,
 }
 
@@ -45,7 +45,7 @@ impl Equilibrium {
         let kkt = Kkt::new(system.terms().clone(), &numbering);
         let equations = position.sizes().len();
         Self {
-            linear: SparseLu::new(kkt.pattern()),
+            linear: Box::new(SparseLu::new(kkt.pattern())),
             step: vec![0.0; kkt.pattern().rows()],
             problem: Problem {
                 scales: position.scales,
@@ -95,7 +95,7 @@ impl Equilibrium {
         let forces = [&problem.load, &problem.lambda];
         let size = forces.iter().map(|force| largest(force)).fold(0.0, f64::max);
         problem.force_size = if size > 0.0 { size } else { 1.0 };
-        newton(problem, &mut self.linear, tolerances, &mut self.step)
+        newton(problem, self.linear.as_mut(), tolerances, &mut self.step)
     }
 
     /// Fills and factorises the matrix at the current state and takes one full step.
@@ -112,16 +112,12 @@ impl Problem {
         let force = force.fold(0.0, |worst: f64, (unknown, (inner, outer))| {
             // A force works on metres, a moment on Euler parameters.
             let arm = self.scales.length / self.scales.coordinate(unknown);
-            worst_of(worst, (inner - outer) / (arm_size(arm) * self.force_size))
+            worst_of(worst, (inner - outer) / (arm * self.force_size))
         });
         self.numbering.kept().iter().fold(force, |worst, &equation| {
             worst_of(worst, self.phi[equation] / self.sizes[equation])
         })
     }
-}
-
-fn arm_size(arm: f64) -> f64 {
-    arm.max(1.0)
 }
 
 fn worst_of(worst: f64, value: f64) -> f64 {

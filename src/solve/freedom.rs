@@ -4,7 +4,7 @@ use std::fmt;
 
 use faer::MatRef;
 
-use super::motion::{describe, localise};
+use super::motion::{Precision, describe, localise};
 use super::position::Scales;
 use super::rank::{holders, null_space, scaled_jacobian, select};
 use crate::assembly::Terms;
@@ -162,7 +162,8 @@ pub(super) fn report(
         report.free_motions = localise(state, basis.as_ref(), scales)
             .iter()
             .map(|twists| {
-                let (description, bodies) = describe(mechanism, state, twists, scales.length);
+                let (description, bodies) =
+                    describe(mechanism, state, twists, scales.length, Precision::EXACT);
                 FreeMotion { description, bodies }
             })
             .collect();

@@ -106,12 +106,11 @@ impl SparseLu {
         // One step of iterative refinement, then the answer has to be right.
         if right_side.iter().all(|x| x.is_finite()) {
             let mut correction = std::mem::take(&mut self.check);
-            let (b, residual) = correction.split_at_mut(n);
+            let (_, residual) = correction.split_at_mut(n);
             self.substitute(residual, transposed);
             for (x, dx) in right_side.iter_mut().zip(residual.iter()) {
                 *x += dx;
             }
-            let _ = b;
             self.check = correction;
             if self.backward_error(right_side, transposed) <= BACKWARD_ERROR {
                 return Ok(());

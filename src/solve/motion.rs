@@ -114,6 +114,22 @@ pub(super) fn point_position(
     add([q[0], q[1], q[2]], rotate([q[3], q[4], q[5], q[6]], local))
 }
 
+/// How exactly a motion is known and wanted.
+#[derive(Clone, Copy)]
+pub(super) struct Precision {
+    /// Differences below this part of the motion are none.
+    pub tolerance: f64,
+    /// Whether axes without named points are given in numbers.
+    pub numbers: bool,
+}
+
+impl Precision {
+    /// For motions that are exact up to rounding.
+    pub const EXACT: Self = Self { tolerance: 1e-6, numbers: true };
+    /// For motions near a dead centre, of which the reached state is only close to.
+    pub const NEAR: Self = Self { tolerance: 1e-3, numbers: false };
+}
+
 /// Describes the motion of all bodies, such as `tierod turns about the line
 /// tierod_inner–tierod_outer`, with the bodies that move.
 pub(super) fn describe(
@@ -121,9 +137,10 @@ pub(super) fn describe(
     state: &[Coordinates<f64>],
     twists: &[Twist],
     length: f64,
+    precision: Precision,
 ) -> (String, Vec<BodyId>) {
     let largest = twists.iter().map(|twist| twist.size(length)).fold(0.0, f64::max);
-    let negligible = 1e-6 * largest;
+    let negligible = precision.tolerance * largest;
     let mut groups: Vec<Vec<BodyId>> = vec![];
     for (body, twist) in twists.iter().enumerate() {
         if twist.size(length) <= negligible {
@@ -143,7 +160,7 @@ pub(super) fn describe(
             let names: Vec<&str> =
                 group.iter().map(|id| &*mechanism.bodies()[id.index()].name).collect();
             let twist = &twists[group[0].index()];
-            let how = how(mechanism, state, group, twist, length, negligible);
+            let how = how(mechanism, state, group, twist, length, precision);
             if names.len() == 1 {
                 format!("{} {how}", names[0])
             } else {
@@ -161,16 +178,17 @@ fn how(
     bodies: &[BodyId],
     twist: &Twist,
     length: f64,
-    negligible: f64,
+    precision: Precision,
 ) -> String {
-    if norm(twist.rotation) <= negligible {
+    let near_zero = precision.tolerance * length;
+    if norm(twist.rotation) <= precision.tolerance * twist.size(length) {
         return format!("moves along {}", direction(twist.velocity));
     }
     let axis = unit(twist.rotation);
     let speed = norm(twist.rotation);
     let foot = scale(1.0 / (speed * speed), cross(twist.rotation, twist.velocity));
     let pitch = dot(axis, twist.velocity) / speed;
-    let verb = if pitch.abs() <= 1e-6 * length {
+    let verb = if pitch.abs() <= near_zero {
         "turns about".to_owned()
     } else {
         let per_turn = pitch * std::f64::consts::TAU * 1e3;
@@ -186,16 +204,19 @@ fn how(
         .collect();
     near.sort_by(|a, b| a.0.total_cmp(&b.0));
     let name = |point: PointId| &mechanism.points()[point.index()].name;
-    let on_axis = near.iter().take_while(|(distance, ..)| *distance <= 1e-6 * length);
+    let on_axis = near.iter().take_while(|(distance, ..)| *distance <= near_zero);
     let first = on_axis.clone().min_by(|a, b| a.1.total_cmp(&b.1));
     let last = on_axis.max_by(|a, b| a.1.total_cmp(&b.1));
     match (first, last) {
-        (Some(first), Some(last)) if last.1 - first.1 > 1e-6 * length => {
-            format!("{verb} the line {}–{}", name(first.2), name(last.2))
+        (Some(first), Some(last)) if last.1 - first.1 > near_zero => {
+            let (a, b) = (first.2.min(last.2), first.2.max(last.2));
+            format!("{verb} the line {}–{}", name(a), name(b))
         }
+        (Some(only), _) if !precision.numbers => format!("{verb} {}", name(only.2)),
         (Some(only), _) => {
             format!("{verb} an axis through {} along {}", name(only.2), direction(axis))
         }
+        _ if !precision.numbers => "turns and moves".to_owned(),
         _ => {
             let nearest = near.first().map_or_else(String::new, |(distance, _, point)| {
                 format!(", {:.3} mm from {}", distance * 1e3, name(*point))

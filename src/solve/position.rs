@@ -95,12 +95,18 @@ impl Position {
         }
     }
 
+    /// The same state with another choice of independent equations.
+    pub fn with_equations(&self, terms: Terms, numbering: Numbering) -> Self {
+        let (sizes, state, h) = (self.sizes.clone(), self.state.clone(), self.h.clone());
+        Self::new(terms, numbering, self.scales, sizes, state, h)
+    }
+
     /// A solver for the matrix.
-    pub fn linear_solver(&self) -> SparseLu {
-        SparseLu::new(match &self.matrix {
+    pub fn linear_solver(&self) -> Box<dyn LinearSolver> {
+        Box::new(SparseLu::new(match &self.matrix {
             Matrix::Determinate(jacobian) => jacobian.pattern(),
             Matrix::LeastChange { kkt, .. } => kkt.pattern(),
-        })
+        }))
     }
 
     /// Length of right-hand sides and steps.

@@ -126,22 +126,11 @@ pub(super) fn null_space(jacobian: MatRef<'_, f64>, kept: &[usize]) -> Option<Ma
     Some(Mat::from_fn(unknowns, unknowns - kept.len(), |row, column| v[(row, kept.len() + column)]))
 }
 
-/// The smallest singular value of the given equations with its left vector (by
-/// equation) and its right vector (by unknown).
-pub(super) fn weakest(
-    jacobian: MatRef<'_, f64>,
-    equations: &[usize],
-) -> Option<(f64, Vec<f64>, Vec<f64>)> {
-    let rows = Mat::from_fn(equations.len(), jacobian.ncols(), |k, unknown| {
-        jacobian[(equations[k], unknown)]
-    });
-    let factors = rows.thin_svd().ok()?;
-    let last = equations.len().min(jacobian.ncols()).checked_sub(1)?;
-    let singular_value = factors.S().column_vector()[last];
-    let mut left = vec![0.0; jacobian.nrows()];
-    for (k, &equation) in equations.iter().enumerate() {
-        left[equation] = factors.U()[(k, last)];
-    }
-    let right = (0..jacobian.ncols()).map(|unknown| factors.V()[(unknown, last)]).collect();
-    Some((singular_value, left, right))
+/// The smallest singular value that is not zero by redundancy, with its left
+/// vector (by equation) and its right vector (by unknown).
+pub(super) fn weakest(jacobian: MatRef<'_, f64>, rank: usize) -> Option<(f64, Vec<f64>, Vec<f64>)> {
+    let factors = jacobian.thin_svd().ok()?;
+    let last = rank.min(jacobian.ncols()).checked_sub(1)?;
+    let column = |matrix: MatRef<'_, f64>| (0..matrix.nrows()).map(|k| matrix[(k, last)]).collect();
+    Some((factors.S().column_vector()[last], column(factors.U()), column(factors.V())))
 }

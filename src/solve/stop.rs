@@ -4,7 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use super::motion::{Twist, describe, point_position, twists};
+use super::motion::{Precision, Twist, describe, point_position, twists};
 use super::position::Position;
 use super::rank::{scaled_jacobian, weakest};
 use super::travel::Failure;
@@ -164,7 +164,7 @@ pub(super) fn explain(
     let scales = position.scales;
     let weakest = |state: &[Coordinates<f64>], h: &[f64]| {
         let (jacobian, _) = scaled_jacobian(expansion, terms, state, h, scales);
-        weakest(jacobian.as_ref(), position.kept())
+        weakest(jacobian.as_ref(), position.kept().len())
     };
     let at_design = weakest(&design_state(mechanism.bodies()), design);
     let here = weakest(&position.state, &position.h);
@@ -172,7 +172,8 @@ pub(super) fn explain(
         && (value < DEAD_CENTRE * reference || matches!(failure, Failure::Singular))
     {
         let motion = twists(&position.state, &right, scales);
-        let (words, _) = describe(mechanism, &position.state, &motion, scales.length);
+        let (words, _) =
+            describe(mechanism, &position.state, &motion, scales.length, Precision::NEAR);
         let joint =
             nearest_joint(mechanism, expansion, &position.state, &left, &motion, scales.length);
         return StopReason::DeadCentre {
@@ -197,8 +198,8 @@ pub(super) fn explain(
 /// At a dead centre the joints carry a system of loads that balances itself
 /// (the left null vector) and the bodies have a motion that the drivers do not
 /// control (the right one). The elbow of a toggle carries that load between two
-/// bodies that are loaded by joints only, and turns most; without such a joint
-/// it is the loaded joint that turns most.
+/// moving bodies that no driver loads, and turns most. Without such a joint it
+/// is the one that turns most between moving bodies, then any.
 fn nearest_joint(
     mechanism: &Mechanism,
     expansion: &Expansion,
@@ -208,21 +209,19 @@ fn nearest_joint(
     length: f64,
 ) -> Option<usize> {
     let largest = load.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
-    let loaded = |owner: Owner| {
-        let loads = load.iter().enumerate();
-        loads
-            .filter(|&(equation, _)| expansion.owner(equation) == owner)
-            .any(|(_, x)| x.abs() > 1e-2 * largest)
+    let loaded = |owner: Owner, share: f64| {
+        let mut loads = load.iter().enumerate();
+        loads.any(|(equation, x)| expansion.owner(equation) == owner && x.abs() > share * largest)
     };
-    let mut driven = vec![BodyId::GROUND];
+    let mut driven = vec![];
     for (index, driver) in mechanism.drivers().iter().enumerate() {
-        if loaded(Owner::Driver(crate::mechanism::DriverId(index))) {
+        if loaded(Owner::Driver(crate::mechanism::DriverId(index)), 1e-6) {
             driven.extend([driver.i, driver.j]);
         }
     }
     let candidates = mechanism.joints().iter().enumerate();
     candidates
-        .filter(|&(index, _)| loaded(Owner::Joint(index)))
+        .filter(|&(index, _)| loaded(Owner::Joint(index), 1e-2))
         .map(|(index, joint)| {
             let [on_i, on_j] = joint.kind.points();
             let here = point_position(mechanism, state, joint.j, on_j);
@@ -236,8 +235,9 @@ fn nearest_joint(
                 let relative = j.minus(i);
                 norm(relative.rotation) + norm(scale(1.0 / length, relative.at(here)))
             };
-            let elbow = !driven.contains(&joint.i) && !driven.contains(&joint.j);
-            (index, elbow, amount)
+            let moving = joint.i != BodyId::GROUND && joint.j != BodyId::GROUND;
+            let elbow = moving && !driven.contains(&joint.i) && !driven.contains(&joint.j);
+            (index, [elbow, moving], amount)
         })
         .max_by(|a, b| a.1.cmp(&b.1).then(a.2.total_cmp(&b.2)))
         .map(|(index, ..)| index)

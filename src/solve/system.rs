@@ -5,12 +5,15 @@ use thiserror::Error;
 use super::freedom::{self, BlockedDriver, FreedomReport};
 use super::motion;
 use super::position::{Position, Scales};
-use super::rank::scaled_jacobian;
+use super::rank::{scaled_jacobian, select};
 use super::stop::{Stop, StopReason};
-use super::travel::Travel;
+use super::travel::{Failure, Travel};
 use crate::assembly::{Numbering, Terms, design_state};
 use crate::mechanism::{BodyId, DriverId, Expansion, Mechanism, PointId};
 use crate::relation::Coordinates;
+
+/// The part of the way that a new choice of equations has to gain.
+const PROGRESS: f64 = 1e-6;
 
 /// Why a mechanism cannot be solved at all.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -179,10 +182,7 @@ impl System {
             Some(driver) => {
                 Err(StopReason::NotFinite { driver: self.mechanism.drivers()[driver].name.clone() })
             }
-            None => self
-                .travel
-                .move_to(&mut self.position, &self.design, &self.targets)
-                .map_err(|failure| self.explain(failure)),
+            None => self.travel().map_err(|failure| self.explain(failure)),
         };
         moved.map_err(|reason| {
             let stop = Stop::new(&self.mechanism, reason, self.travel.values(), &self.targets);
@@ -229,8 +229,49 @@ impl System {
         &self.terms
     }
 
+    /// Moves the drivers to their targets.
+    ///
+    /// Equations that are independent at the design position may depend on each
+    /// other elsewhere while left-out ones do not. So before a mechanism with
+    /// redundant equations is stopped, they are chosen anew where it is.
+    fn travel(&mut self) -> Result<StepReport, Failure> {
+        let mut report = StepReport::default();
+        let mut way = f64::INFINITY;
+        loop {
+            let Self { travel, position, design, targets, .. } = self;
+            let Err(failure) = travel.move_to(position, design, targets, &mut report) else {
+                return Ok(report);
+            };
+            let remaining = travel.remaining(targets);
+            if remaining > (1.0 - PROGRESS) * way || !self.replan() {
+                return Err(failure);
+            }
+            way = remaining;
+        }
+    }
+
+    /// Chooses independent equations at the current state; returns whether that changed anything.
+    fn replan(&mut self) -> bool {
+        let Self { expansion, terms, position, .. } = self;
+        if position.kept().len() == expansion.equation_count() {
+            return false;
+        }
+        let (state, h, scales) = (&position.state, &position.h, position.scales);
+        let (jacobian, _) = scaled_jacobian(expansion, terms, state, h, scales);
+        let selection = select(expansion, jacobian.as_ref());
+        let as_many = selection.kept.len() == position.kept().len();
+        let row = |&equation: &usize| position.numbering().row(equation);
+        if !as_many || selection.left_out.iter().all(|equation| row(equation).is_none()) {
+            return false;
+        }
+        let numbering = Numbering::new(expansion, &selection.left_out);
+        self.position = position.with_equations(terms.clone(), numbering);
+        self.travel.replan(&self.position);
+        true
+    }
+
     /// Says why the travel failed. Only called on failure, so it may take its time.
-    fn explain(&self, failure: super::travel::Failure) -> StopReason {
+    fn explain(&self, failure: Failure) -> StopReason {
         super::stop::explain(
             &self.mechanism,
             &self.expansion,

@@ -5,7 +5,7 @@
 //! whether it stayed on the branch; if not, the step is halved.
 
 use super::convergence::{Outcome, Status, Tolerances};
-use super::linear::{LinearSolver, Singular, SparseLu};
+use super::linear::{LinearSolver, Singular};
 use super::newton::{Equations, newton};
 use super::position::{Position, move_bodies};
 use super::system::StepReport;
@@ -19,11 +19,15 @@ const CORRECTOR: Tolerances =
 const SHORTEST: f64 = 1e-10;
 
 /// Largest first correction as a part of the predicted step.
-const CORRECTION: f64 = 0.3;
+const CORRECTION: f64 = 0.2;
+
+/// Smallest accepted cosine of the angle between the tangents before and after a step. Two parts of
+/// a path with a short gap between them differ in it, although both are on the same branch.
+const STRAIGHT: f64 = 0.95;
 
 /// Scaled changes below this are small: neither the size of a correction nor the
 /// angle between tangents says anything about branches then.
-const SMALL: f64 = 0.02;
+const SMALL: f64 = 1e-3;
 
 /// Largest accepted relative residual of a left-out equation.
 const CONSISTENT: f64 = 1e-9;
@@ -47,7 +51,7 @@ pub(super) enum Failure {
 
 /// The state of a continuation and its scratch space.
 pub(super) struct Travel {
-    linear: SparseLu,
+    linear: Box<dyn LinearSolver>,
     slots: Vec<usize>,
     values: Vec<f64>,
     start_values: Vec<f64>,
@@ -90,6 +94,18 @@ impl Travel {
         self.factorised = false;
     }
 
+    /// Says that `position` has another choice of independent equations.
+    pub fn replan(&mut self, position: &Position) {
+        self.linear = position.linear_solver();
+        self.factorised = false;
+    }
+
+    /// How far the drivers still have to go, in their own units.
+    pub fn remaining(&self, targets: &[f64]) -> f64 {
+        let ways = self.values.iter().zip(targets);
+        ways.fold(0.0, |remaining, (value, target)| remaining.max((target - value).abs()))
+    }
+
     /// Moves the drivers from their values to `targets`. On failure state,
     /// parameters and values are the last that were reached.
     pub fn move_to(
@@ -97,11 +113,11 @@ impl Travel {
         position: &mut Position,
         design: &[f64],
         targets: &[f64],
-    ) -> Result<StepReport, Failure> {
-        let mut report = StepReport::default();
+        report: &mut StepReport,
+    ) -> Result<(), Failure> {
         if self.values == targets {
             report.relative_residual = position.residual();
-            return Ok(report);
+            return Ok(());
         }
         self.start_values.copy_from_slice(&self.values);
         self.dh.fill(0.0);
@@ -114,7 +130,7 @@ impl Travel {
         while t < 1.0 {
             let next = if t + dt >= 1.0 - SHORTEST { 1.0 } else { t + dt };
             self.start.copy_from_slice(&position.state);
-            let outcome = self.step(position, design, targets, [t, next], sign, &mut report);
+            let outcome = self.step(position, design, targets, [t, next], sign, report);
             match outcome {
                 Ok(outcome) => {
                     std::mem::swap(&mut self.tangent, &mut self.next_tangent);
@@ -133,7 +149,7 @@ impl Travel {
                 }
             }
         }
-        Ok(report)
+        Ok(())
     }
 
     /// One predictor, one corrector, and the questions whether it stayed on the branch.
@@ -149,7 +165,7 @@ impl Travel {
         let dt = next - t;
         move_bodies(&self.start, &self.tangent, dt, &mut position.state);
         self.set_drivers(position, design, targets, next);
-        let outcome = newton(position, &mut self.linear, &CORRECTOR, &mut self.step);
+        let outcome = newton(position, self.linear.as_mut(), &CORRECTOR, &mut self.step);
         report.iterations += outcome.iterations;
         if !outcome.converged() {
             return Err(match outcome.status {
@@ -171,10 +187,10 @@ impl Travel {
         // The factorisation of the last iteration is as good as that of the
         // state itself, because the last step was tiny.
         position
-            .tangent(&mut self.linear, &self.dh, &mut self.next_tangent)
+            .tangent(self.linear.as_mut(), &self.dh, &mut self.next_tangent)
             .map_err(|Singular| Failure::Singular)?;
         let change = dt * position.scales.change(&self.next_tangent[..unknowns]);
-        if predicted.max(change) > SMALL && self.cosine(position) < 0.5 {
+        if predicted.max(change) > SMALL && self.cosine(position) < STRAIGHT {
             return Err(Failure::LeftBranch);
         }
         if self.check_left_out {
@@ -194,7 +210,7 @@ impl Travel {
             self.linear.factorise(position.matrix())?;
             self.factorised = true;
         }
-        position.tangent(&mut self.linear, &self.dh, &mut self.tangent)?;
+        position.tangent(self.linear.as_mut(), &self.dh, &mut self.tangent)?;
         Ok(self.linear.determinant_sign())
     }
 

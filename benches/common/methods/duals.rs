@@ -6,7 +6,7 @@ use hardpoint::scalar::Scalar;
 
 use super::programs::{self, Program};
 use super::{Arguments, Blocks, Contraction, columns};
-use crate::common::support::{First, Second};
+use crate::common::dual::{First, Second};
 
 /// Φ_q from Φ on `Dual64`.
 pub fn for_jacobian(kind: RelationKind) -> Box<dyn Blocks> {

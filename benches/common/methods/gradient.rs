@@ -30,6 +30,12 @@ impl<const N: usize> Gradient<N> {
     fn chain(self, value: f64, slope: f64) -> Self {
         Self::new(value, |k| slope * self.derivatives[k])
     }
+
+    /// f(a, b) from the value and the slopes of f.
+    #[inline(always)]
+    fn chain_two(value: f64, [a, b]: [Self; 2], slopes: [f64; 2]) -> Self {
+        Self::new(value, |k| slopes[0] * a.derivatives[k] + slopes[1] * b.derivatives[k])
+    }
 }
 
 impl<const N: usize> Add for Gradient<N> {
@@ -52,9 +58,7 @@ impl<const N: usize> Mul for Gradient<N> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        Self::new(self.value * other.value, |k| {
-            self.derivatives[k] * other.value + self.value * other.derivatives[k]
-        })
+        Self::chain_two(self.value * other.value, [self, other], [other.value, self.value])
     }
 }
 
@@ -93,6 +97,12 @@ impl<const N: usize> Scalar for Gradient<N> {
     #[inline(always)]
     fn cos(self) -> Self {
         self.chain(self.value.cos(), -self.value.sin())
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        let square = self.value * self.value + x.value * x.value;
+        let slopes = [x.value / square, -self.value / square];
+        Self::chain_two(self.value.atan2(x.value), [self, x], slopes)
     }
 }
 

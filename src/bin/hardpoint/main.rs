@@ -1,3 +1,56 @@
 //! The command line of hardpoint.
 
-fn main() {}
+mod check;
+mod failure;
+mod output;
+mod sweep;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use failure::Failure;
+
+/// Suspension kinematics, compliance and design.
+///
+/// A model file holds the hard points of one corner of a vehicle in its own
+/// units and axes; results come in the same.
+#[derive(Parser)]
+#[command(version, arg_required_else_help = true, after_help = EXIT_CODES)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  done
+  1  wrong input: the message says where and what to do
+  2  wrong usage
+  3  the mechanism stopped before the end of the event; the states before it are written";
+
+#[derive(Subcommand)]
+enum Command {
+    Check(check::Check),
+    Sweep(sweep::Sweep),
+}
+
+fn main() -> ExitCode {
+    let done = match Arguments::parse().command {
+        Command::Check(command) => command.run(),
+        Command::Sweep(command) => command.run(),
+    };
+    done.map_or_else(Failure::report, |()| ExitCode::SUCCESS)
+}
+
+/// Loads a model and, where asked for, turns it into the other side.
+fn load(
+    path: &std::path::Path,
+    side: Option<output::SideName>,
+) -> Result<hardpoint::model::Model, Failure> {
+    let model = hardpoint::model::Model::load(path)?;
+    Ok(match side {
+        Some(side) if hardpoint::model::Side::from(side) != model.side => model.mirrored(),
+        _ => model,
+    })
+}

@@ -54,6 +54,9 @@ macro_rules! foreign {
             fn cos(self) -> Self {
                 Self(self.0.cos())
             }
+            fn atan2(self, x: Self) -> Self {
+                Self(self.0.atan2(x.0))
+            }
         }
     };
 }

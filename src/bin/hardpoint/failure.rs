@@ -1,0 +1,68 @@
+//! What ends a command early, and how it is told.
+
+use std::io::{self, IsTerminal as _};
+use std::process::ExitCode;
+
+use hardpoint::model::ModelDiagnostics;
+use hardpoint::rig::RigError;
+use hardpoint::solve::Stop;
+use miette::GraphicalReportHandler;
+
+/// Why a command did not end well.
+pub enum Failure {
+    /// The model file has mistakes.
+    Model(ModelDiagnostics),
+    /// The model makes no mechanism that moves.
+    Rig(String, RigError),
+    /// The mechanism stopped during an event.
+    Stopped(Vec<Stop>, String),
+    /// A file or pipe that cannot be written; says which.
+    Output(String, io::Error),
+    /// Options that do not fit together.
+    Usage(String),
+}
+
+impl From<ModelDiagnostics> for Failure {
+    fn from(diagnostics: ModelDiagnostics) -> Self {
+        Self::Model(diagnostics)
+    }
+}
+
+impl Failure {
+    /// Tells the failure on stderr and gives its exit code.
+    pub fn report(self) -> ExitCode {
+        match self {
+            Self::Model(diagnostics) => {
+                if io::stderr().is_terminal() {
+                    eprint!("{}", diagnostics.render_with(&GraphicalReportHandler::new()));
+                } else {
+                    eprint!("{}", diagnostics.render());
+                }
+                ExitCode::from(1)
+            }
+            Self::Rig(model, error) => {
+                eprintln!("error: {model}: {error}");
+                ExitCode::from(1)
+            }
+            Self::Stopped(stops, rows) => {
+                for stop in stops {
+                    eprintln!("{stop}");
+                }
+                eprintln!("{rows}");
+                ExitCode::from(3)
+            }
+            // A reader that has seen enough, such as `head`, is no failure.
+            Self::Output(_, error) if error.kind() == io::ErrorKind::BrokenPipe => {
+                ExitCode::SUCCESS
+            }
+            Self::Output(what, error) => {
+                eprintln!("error: {what} cannot be written: {error}");
+                ExitCode::from(1)
+            }
+            Self::Usage(message) => {
+                eprintln!("error: {message}\n\nFor more information, try '--help'.");
+                ExitCode::from(2)
+            }
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! A table for people, with the meaning of every column below it.
+
+use std::io;
+
+use super::SweepReport;
+use crate::factors::FACTORS;
+
+impl SweepReport<'_> {
+    /// Writes the columns aligned, lengths and angles to four decimals.
+    ///
+    /// # Errors
+    /// What the writer says.
+    pub fn write_table(&self, mut writer: impl io::Write) -> io::Result<()> {
+        let units = self.model.units;
+        writeln!(
+            writer,
+            "{}, {} side, {} axes",
+            self.model.name,
+            self.model.side.name(),
+            self.model.axes.name()
+        )?;
+        writeln!(writer)?;
+        // Names in two lines keep the columns narrow: wheel_center_x becomes `wheel center_x`.
+        let heads: Vec<(&str, String)> = FACTORS
+            .iter()
+            .map(|factor| match factor.name.split_once('_') {
+                Some((first, rest)) => (first, rest.to_owned()),
+                None => ("", factor.name.to_owned()),
+            })
+            .collect();
+        let cells: Vec<Vec<String>> = self
+            .sweep
+            .rows
+            .iter()
+            .map(|row| self.values(row).into_iter().map(cell).collect())
+            .collect();
+        let widths: Vec<usize> = (0..FACTORS.len())
+            .map(|k| {
+                let values = cells.iter().map(|row| row[k].chars().count());
+                values.chain([heads[k].0.len(), heads[k].1.len()]).max().unwrap_or(0)
+            })
+            .collect();
+        let symbols: Vec<String> =
+            FACTORS.iter().map(|factor| factor.quantity.symbol(units).to_owned()).collect();
+        let mut line = |fields: &mut dyn Iterator<Item = &str>| {
+            let padded: Vec<String> =
+                fields.zip(&widths).map(|(field, width)| format!("{field:>width$}")).collect();
+            writeln!(writer, "{}", padded.join("  "))
+        };
+        line(&mut heads.iter().map(|head| head.0))?;
+        line(&mut heads.iter().map(|head| head.1.as_str()))?;
+        line(&mut symbols.iter().map(String::as_str))?;
+        for row in &cells {
+            line(&mut row.iter().map(String::as_str))?;
+        }
+        writeln!(writer)?;
+        for factor in FACTORS {
+            let name = factor.name;
+            let unit = factor.quantity.symbol(units);
+            let unit = format!("[{unit}]");
+            writeln!(writer, "{name:<15} {unit:<6} {}; {}", factor.sign, factor.formula)?;
+        }
+        Ok(())
+    }
+}
+
+/// Four decimals; a value that rounds to zero has no sign, a missing one is a dash.
+fn cell(value: Option<f64>) -> String {
+    value.map_or_else(
+        || "–".to_owned(),
+        |value| {
+            let text = format!("{value:.4}");
+            if text.trim_start_matches('-').trim_matches(['0', '.']).is_empty() {
+                text.trim_start_matches('-').to_owned()
+            } else {
+                text
+            }
+        },
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cell;
+
+    #[test]
+    fn cells_have_no_negative_zero() {
+        assert_eq!(cell(Some(-0.00001)), "0.0000");
+        assert_eq!(cell(Some(-0.0001)), "-0.0001");
+        assert_eq!(cell(Some(-10.0)), "-10.0000");
+        assert_eq!(cell(None), "–");
+    }
+}
