@@ -13,47 +13,57 @@ macro_rules! foreign {
     ($type:ty) => {
         impl std::ops::Add for Foreign<$type> {
             type Output = Self;
+            #[inline(always)]
             fn add(self, other: Self) -> Self {
                 Self(self.0 + other.0)
             }
         }
         impl std::ops::Sub for Foreign<$type> {
             type Output = Self;
+            #[inline(always)]
             fn sub(self, other: Self) -> Self {
                 Self(self.0 - other.0)
             }
         }
         impl std::ops::Mul for Foreign<$type> {
             type Output = Self;
+            #[inline(always)]
             fn mul(self, other: Self) -> Self {
                 Self(self.0 * other.0)
             }
         }
         impl std::ops::Div for Foreign<$type> {
             type Output = Self;
+            #[inline(always)]
             fn div(self, other: Self) -> Self {
                 Self(self.0 / other.0)
             }
         }
         impl std::ops::Neg for Foreign<$type> {
             type Output = Self;
+            #[inline(always)]
             fn neg(self) -> Self {
                 Self(-self.0)
             }
         }
         impl Scalar for Foreign<$type> {
+            #[inline(always)]
             fn from_f64(value: f64) -> Self {
                 Self(<$type>::from(value))
             }
+            #[inline(always)]
             fn sqrt(self) -> Self {
                 Self(self.0.sqrt())
             }
+            #[inline(always)]
             fn sin(self) -> Self {
                 Self(self.0.sin())
             }
+            #[inline(always)]
             fn cos(self) -> Self {
                 Self(self.0.cos())
             }
+            #[inline(always)]
             fn atan2(self, x: Self) -> Self {
                 Self(self.0.atan2(x.0))
             }
