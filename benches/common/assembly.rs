@@ -27,8 +27,11 @@ struct Term {
     phi_q: Vec<f64>,
     curvature: Vec<f64>,
     unknowns: Vec<Option<usize>>,
+    // Output and place of each entry that the matrix has.
     phi_q_slots: Vec<[usize; 2]>,
     curvature_slots: Vec<[usize; 2]>,
+    // Output, equation and unknown of each entry of the force.
+    force: Vec<[usize; 3]>,
 }
 
 impl Term {
@@ -39,8 +42,12 @@ impl Term {
             let body = bodies[local / BODY_COORDINATES].checked_sub(1)?;
             Some(BODY_COORDINATES * body + local % BODY_COORDINATES)
         };
+        let force = shape.jacobian.iter().enumerate().filter_map(|(output, &(equation, local))| {
+            Some([output, usize::from(equation), unknown(usize::from(local))?])
+        });
         Self {
             blocks: method(instance.kind),
+            force: force.collect(),
             shape,
             i: bodies[0],
             j: bodies[1],
@@ -66,10 +73,8 @@ impl Term {
 
     fn add_force(&self, lambda: &[f64], force: &mut [f64]) {
         let lambda = &lambda[self.equations.clone()];
-        for (&(equation, local), value) in self.shape.jacobian.iter().zip(&self.phi_q) {
-            if let Some(unknown) = self.unknown(local) {
-                force[unknown] += *value * lambda[usize::from(equation)];
-            }
+        for &[output, equation, unknown] in &self.force {
+            force[unknown] += self.phi_q[output] * lambda[equation];
         }
     }
 }
@@ -113,35 +118,31 @@ impl Assembly {
         method: Method,
         first_row: usize,
     ) -> Self {
-        // Entries that the matrix does not have go to one spare place behind the values.
-        let spare = pattern.nonzeros();
         let slot = |row: Option<usize>, column: Option<usize>| {
-            row.zip(column).and_then(|(row, column)| pattern.slot(row, column)).unwrap_or(spare)
+            row.zip(column).and_then(|(row, column)| pattern.slot(row, column))
         };
         let terms = expansion.instances().iter().map(|instance| {
             let mut term = Term::new(instance, method);
-            term.phi_q_slots = (term.shape.jacobian.iter())
-                .map(|&(equation, local)| {
-                    let row = numbering.row(term.equations.start + usize::from(equation));
-                    let row = row.map(|row| first_row + row);
-                    let column = term.unknown(local);
-                    let mirrored = if first_row > 0 { slot(column, row) } else { spare };
-                    [slot(row, column), mirrored]
-                })
-                .collect();
-            term.curvature_slots = (term.shape.curvature.iter())
-                .map(|&(row, column)| {
-                    let entry = (term.unknown(row), term.unknown(column));
-                    let mirrored = if row == column { spare } else { slot(entry.1, entry.0) };
-                    [slot(entry.0, entry.1), mirrored]
-                })
-                .collect();
+            for (output, &(equation, local)) in term.shape.jacobian.iter().enumerate() {
+                let row = numbering.row(term.equations.start + usize::from(equation));
+                let row = row.map(|row| first_row + row);
+                let column = term.unknown(local);
+                let mirrored = if first_row > 0 { slot(column, row) } else { None };
+                let slots = [slot(row, column), mirrored].into_iter().flatten();
+                term.phi_q_slots.extend(slots.map(|slot| [output, slot]));
+            }
+            for (output, &(row, column)) in term.shape.curvature.iter().enumerate() {
+                let entry = (term.unknown(row), term.unknown(column));
+                let mirrored = if row == column { None } else { slot(entry.1, entry.0) };
+                let slots = [slot(entry.0, entry.1), mirrored].into_iter().flatten();
+                term.curvature_slots.extend(slots.map(|slot| [output, slot]));
+            }
             term
         });
         let unknowns = numbering.unknowns();
         Self {
             terms: terms.collect(),
-            values: vec![0.0; spare + 1],
+            values: vec![0.0; pattern.nonzeros()],
             force: vec![0.0; unknowns],
             sides: [vec![0.0; unknowns], vec![0.0; unknowns]],
             pattern: pattern.clone(),
@@ -150,15 +151,15 @@ impl Assembly {
 
     /// The values in the order of the pattern.
     pub fn values(&self) -> &[f64] {
-        &self.values[..self.pattern.nonzeros()]
+        &self.values
     }
 
     /// Evaluates Φ and Φ_q.
     pub fn fill_jacobian(&mut self, state: &[Coordinates<f64>], h: &[f64], phi: &mut [f64]) {
         for term in &mut self.terms {
             term.jacobian(state, h, phi);
-            for (value, &[slot, _]) in term.phi_q.iter().zip(&term.phi_q_slots) {
-                self.values[slot] = *value;
+            for &[output, slot] in &term.phi_q_slots {
+                self.values[slot] = term.phi_q[output];
             }
         }
     }
@@ -183,13 +184,11 @@ impl Assembly {
                 &mut term.phi_q,
                 &mut term.curvature,
             );
-            for (value, &[slot, mirrored]) in term.phi_q.iter().zip(&term.phi_q_slots) {
-                self.values[slot] = *value;
-                self.values[mirrored] = *value;
+            for &[output, slot] in &term.phi_q_slots {
+                self.values[slot] = term.phi_q[output];
             }
-            for (value, &[slot, mirrored]) in term.curvature.iter().zip(&term.curvature_slots) {
-                self.values[slot] += *value;
-                self.values[mirrored] += *value;
+            for &[output, slot] in &term.curvature_slots {
+                self.values[slot] += term.curvature[output];
             }
             term.add_force(lambda, &mut self.force);
         }
@@ -230,9 +229,8 @@ impl Assembly {
         self.force.fill(0.0);
         for term in &mut self.terms {
             term.jacobian(state, h, phi);
-            for (value, &[slot, mirrored]) in term.phi_q.iter().zip(&term.phi_q_slots) {
-                self.values[slot] = *value;
-                self.values[mirrored] = *value;
+            for &[output, slot] in &term.phi_q_slots {
+                self.values[slot] = term.phi_q[output];
             }
             term.add_force(lambda, &mut self.force);
         }

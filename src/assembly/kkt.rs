@@ -14,85 +14,112 @@ pub struct Kkt {
     terms: Terms,
     pattern: Pattern,
     unknowns: usize,
-    // Places of the outputs `jacobian`, `work` and `curvature`, term after term.
-    // The second place of a pair is the mirror image: that of Φ_qᵀ, or the
-    // other triangle of a symmetric curvature.
-    phi_q_slots: Vec<[usize; 2]>,
-    work_slots: Vec<usize>,
-    curvature_slots: Vec<[usize; 2]>,
-    diagonal_slots: Vec<usize>,
+    places: Vec<Places>,
+    diagonal: Vec<usize>,
     values: Vec<f64>,
     force: Vec<f64>,
 }
 
-type Entry = Option<(usize, usize)>;
-
-fn mirror(entry: Entry) -> Entry {
-    entry.map(|(row, column)| (column, row))
+/// Where the outputs of one term belong. What concerns the ground or an equation
+/// that is left out has no place and is not listed.
+#[derive(Clone)]
+struct Places {
+    /// Φ_q.
+    phi_q: Vec<Slot>,
+    /// Φ_qᵀ, the mirror image of Φ_q.
+    phi_q_transposed: Vec<Slot>,
+    /// Wᵀ, where the relation states `work`.
+    work: Vec<Slot>,
+    /// (Wᵀλ)_q, a symmetric one with both of its triangles.
+    curvature: Vec<Slot>,
+    /// Wᵀλ: output, equation, unknown.
+    force: Vec<[usize; 3]>,
 }
 
-/// Where the outputs of one term belong.
-struct Places<'a> {
-    term: &'a Term,
-    numbering: &'a Numbering,
+/// An entry of a kernel output and its place among the values of the matrix.
+#[derive(Clone, Copy)]
+struct Slot {
+    output: usize,
+    value: usize,
 }
 
-impl Places<'_> {
-    /// An entry of Φ_q or, mirrored, of Wᵀ.
-    fn constraint(&self, equation: u8, local: u8) -> Entry {
-        let row = self.numbering.row(self.term.equations.start + usize::from(equation))?;
-        Some((self.numbering.unknowns() + row, self.term.unknown(local)?))
-    }
+/// An entry of a kernel output and its row and column.
+type Entry = (usize, usize, usize);
 
-    fn phi_q(&self) -> impl Iterator<Item = [Entry; 2]> {
-        self.term.shape.jacobian.iter().map(|&(equation, local)| {
-            let entry = self.constraint(equation, local);
-            [entry, mirror(entry)]
+fn mirrored(entries: &[Entry]) -> Vec<Entry> {
+    entries.iter().map(|&(output, row, column)| (output, column, row)).collect()
+}
+
+/// The entries of Φ_q or, with the pattern of `work`, of W.
+fn constraint(term: &Term, numbering: &Numbering, pattern: &[(u8, u8)]) -> Vec<Entry> {
+    let entries = pattern.iter().enumerate();
+    entries
+        .filter_map(|(output, &(equation, local))| {
+            let row = numbering.row(term.equations.start + usize::from(equation))?;
+            Some((output, numbering.unknowns() + row, term.unknown(local)?))
         })
-    }
+        .collect()
+}
 
-    fn work(&self) -> impl Iterator<Item = Entry> {
-        let work = self.term.shape.work.iter();
-        work.map(|&(equation, local)| mirror(self.constraint(equation, local)))
+fn curvature(term: &Term) -> Vec<Entry> {
+    let mut entries = vec![];
+    for (output, &(row, column)) in term.shape.curvature.iter().enumerate() {
+        if let (Some(i), Some(j)) = (term.unknown(row), term.unknown(column)) {
+            entries.push((output, i, j));
+            if !term.shape.has_work() && row != column {
+                entries.push((output, j, i));
+            }
+        }
     }
+    entries
+}
 
-    fn curvature(&self) -> impl Iterator<Item = [Entry; 2]> {
-        self.term.shape.curvature.iter().map(|&(row, column)| {
-            let entry = self.term.unknown(row).zip(self.term.unknown(column));
-            let symmetric = !self.term.shape.has_work() && row != column;
-            [entry, if symmetric { mirror(entry) } else { None }]
+fn force(term: &Term) -> Vec<[usize; 3]> {
+    let shape = term.shape;
+    let rows = if shape.has_work() { shape.work } else { shape.jacobian };
+    let entries = rows.iter().enumerate();
+    entries
+        .filter_map(|(output, &(equation, local))| {
+            Some([output, usize::from(equation), term.unknown(local)?])
         })
-    }
+        .collect()
 }
 
 impl Kkt {
     /// Finds the pattern.
     pub fn new(terms: Terms, numbering: &Numbering) -> Self {
-        let (mut phi_q, mut work, mut curvature) = (vec![], vec![], vec![]);
-        for term in &terms.list {
-            let places = Places { term, numbering };
-            phi_q.extend(places.phi_q());
-            work.extend(places.work());
-            curvature.extend(places.curvature());
-        }
+        let entries: Vec<[Vec<Entry>; 4]> = terms
+            .list
+            .iter()
+            .map(|term| {
+                let phi_q = constraint(term, numbering, term.shape.jacobian);
+                let work = mirrored(&constraint(term, numbering, term.shape.work));
+                let transposed = mirrored(&phi_q);
+                [phi_q, transposed, work, curvature(term)]
+            })
+            .collect();
         let unknowns = numbering.unknowns();
         let size = unknowns + numbering.kept().len();
-        let entries = phi_q.iter().chain(&curvature).flatten().chain(&work);
         let diagonal = (0..unknowns).map(|k| (k, k));
-        let pattern =
-            Pattern::new(size, size, entries.copied().flatten().chain(diagonal.clone()).collect());
-        let spare = pattern.nonzeros();
-        let slot = |entry: Entry| {
-            entry.and_then(|(row, column)| pattern.slot(row, column)).unwrap_or(spare)
+        let nonzeros = entries.iter().flatten().flatten().map(|&(_, row, column)| (row, column));
+        let pattern = Pattern::new(size, size, nonzeros.chain(diagonal.clone()).collect());
+        let slot = |row, column| {
+            pattern.slot(row, column).expect("the pattern was made from these entries")
         };
+        let slots = |entries: &Vec<Entry>| -> Vec<Slot> {
+            let slot = |&(output, row, column)| Slot { output, value: slot(row, column) };
+            entries.iter().map(slot).collect()
+        };
+        let places = terms.list.iter().zip(&entries).map(|(term, entries)| {
+            let [phi_q, phi_q_transposed, work, curvature] = entries.each_ref().map(slots);
+            Places { phi_q, phi_q_transposed, work, curvature, force: force(term) }
+        });
         Self {
-            unknowns,
-            phi_q_slots: phi_q.into_iter().map(|pair| pair.map(slot)).collect(),
-            work_slots: work.into_iter().map(slot).collect(),
-            curvature_slots: curvature.into_iter().map(|pair| pair.map(slot)).collect(),
-            diagonal_slots: diagonal.map(|entry| slot(Some(entry))).collect(),
-            values: vec![0.0; spare + 1],
+            places: places.collect(),
+            diagonal: diagonal.map(|(row, column)| slot(row, column)).collect(),
+            values: vec![0.0; pattern.nonzeros()],
             force: vec![0.0; unknowns],
+            unknowns,
             terms,
             pattern,
         }
@@ -105,7 +132,7 @@ impl Kkt {
 
     /// The values in the order of the pattern.
     pub fn values(&self) -> &[f64] {
-        &self.values[..self.pattern.nonzeros()]
+        &self.values
     }
 
     /// The relations.
@@ -124,10 +151,7 @@ impl Kkt {
         self.values.fill(0.0);
         self.force.fill(0.0);
         let Terms { list, phi_q, work, curvature, .. } = &mut self.terms;
-        let mut phi_q_slots = self.phi_q_slots.iter();
-        let mut work_slots = self.work_slots.iter();
-        let mut curvature_slots = self.curvature_slots.iter();
-        for term in list {
+        for (term, places) in list.iter().zip(&self.places) {
             let lambda = &lambda[term.equations.clone()];
             let phi_q = &mut phi_q[..term.shape.jacobian.len()];
             let work = &mut work[..term.shape.work.len()];
@@ -140,21 +164,16 @@ impl Kkt {
                 work,
                 curvature,
             );
-            let has_work = term.shape.has_work();
-            for (value, &[slot, transposed]) in phi_q.iter().zip(&mut phi_q_slots) {
-                self.values[slot] = *value;
-                if !has_work {
-                    self.values[transposed] = *value;
-                }
+            set(&mut self.values, &places.phi_q, phi_q);
+            if term.shape.has_work() {
+                set(&mut self.values, &places.work, work);
+            } else {
+                set(&mut self.values, &places.phi_q_transposed, phi_q);
             }
-            for (value, &slot) in work.iter().zip(&mut work_slots) {
-                self.values[slot] = *value;
+            for slot in &places.curvature {
+                self.values[slot.value] += curvature[slot.output];
             }
-            for (value, &[slot, mirrored]) in curvature.iter().zip(&mut curvature_slots) {
-                self.values[slot] += *value;
-                self.values[mirrored] += *value;
-            }
-            add_force(term, phi_q, work, lambda, &mut self.force);
+            add_force(term, places, phi_q, work, lambda, &mut self.force);
         }
     }
 
@@ -168,13 +187,13 @@ impl Kkt {
     ) {
         self.force.fill(0.0);
         let Terms { list, phi_q, work, .. } = &mut self.terms;
-        for term in list {
+        for (term, places) in list.iter().zip(&self.places) {
             let phi_q = &mut phi_q[..term.shape.jacobian.len()];
             let work = &mut work[..term.shape.work.len()];
             let phi = &mut phi[term.equations.clone()];
             term.kernels.jacobian(term.place(state, h), phi, phi_q, work);
             let lambda = &lambda[term.equations.clone()];
-            add_force(term, phi_q, work, lambda, &mut self.force);
+            add_force(term, places, phi_q, work, lambda, &mut self.force);
         }
     }
 
@@ -188,20 +207,17 @@ impl Kkt {
         phi: &mut [f64],
     ) {
         self.values.fill(0.0);
-        for (&slot, &value) in self.diagonal_slots.iter().zip(diagonal) {
+        for (&slot, &value) in self.diagonal.iter().zip(diagonal) {
             self.values[slot] = value;
         }
         let Terms { list, phi_q, work, .. } = &mut self.terms;
-        let mut slots = self.phi_q_slots.iter();
-        for term in list {
+        for (term, places) in list.iter().zip(&self.places) {
             let phi_q = &mut phi_q[..term.shape.jacobian.len()];
             let work = &mut work[..term.shape.work.len()];
             let phi = &mut phi[term.equations.clone()];
             term.kernels.jacobian(term.place(state, h), phi, phi_q, work);
-            for (value, &[slot, transposed]) in phi_q.iter().zip(&mut slots) {
-                self.values[slot] = *value;
-                self.values[transposed] = *value;
-            }
+            set(&mut self.values, &places.phi_q, phi_q);
+            set(&mut self.values, &places.phi_q_transposed, phi_q);
         }
     }
 
@@ -211,13 +227,24 @@ impl Kkt {
     }
 }
 
+/// Writes the entries of a kernel output to their places.
+fn set(values: &mut [f64], slots: &[Slot], output: &[f64]) {
+    for slot in slots {
+        values[slot.value] = output[slot.output];
+    }
+}
+
 /// Adds Wᵀλ of one term.
-fn add_force(term: &Term, phi_q: &[f64], work: &[f64], lambda: &[f64], force: &mut [f64]) {
-    let (pattern, rows) =
-        if term.shape.has_work() { (term.shape.work, work) } else { (term.shape.jacobian, phi_q) };
-    for (&(equation, local), value) in pattern.iter().zip(rows) {
-        if let Some(unknown) = term.unknown(local) {
-            force[unknown] += *value * lambda[usize::from(equation)];
-        }
+fn add_force(
+    term: &Term,
+    places: &Places,
+    phi_q: &[f64],
+    work: &[f64],
+    lambda: &[f64],
+    force: &mut [f64],
+) {
+    let rows = if term.shape.has_work() { work } else { phi_q };
+    for &[output, equation, unknown] in &places.force {
+        force[unknown] += rows[output] * lambda[equation];
     }
 }
