@@ -15,12 +15,12 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::{Conj, Mat, MatMut, Par};
 use hardpoint::assembly::Pattern;
-use hardpoint::solve::linear::{LinearSolver, SparseLu};
+use hardpoint::solve::linear::{LinearSolver, solver, sparse_lu};
 
 /// Everything that a Newton step needs.
 struct Step {
     assembly: Assembly,
-    linear: SparseLu,
+    linear: Box<dyn LinearSolver>,
     phi: Vec<f64>,
     step: Vec<f64>,
 }
@@ -30,7 +30,7 @@ impl Step {
         let Scene { expansion, numbering, kkt, .. } = scene;
         Self {
             assembly: Assembly::kkt(expansion, numbering, kkt, method),
-            linear: SparseLu::new(kkt),
+            linear: solver(kkt),
             phi: vec![0.0; expansion.equation_count()],
             step: vec![0.0; kkt.rows()],
         }
@@ -134,20 +134,32 @@ impl DenseLu {
     }
 }
 
-/// Factorising and solving, sparse beside dense.
+/// Factorising and solving: the plan, faer's sparse LU and its dense LU.
 fn linear(criterion: &mut Criterion, name: &str, pattern: &Pattern, values: &[f64]) {
     let right_side: Vec<f64> = (0..pattern.rows()).map(|k| (k as f64).cos()).collect();
     let mut expected = right_side.clone();
-    let mut sparse = SparseLu::new(pattern);
+    let mut sparse = sparse_lu(pattern);
     sparse.factorise(values).expect("the matrix is regular");
     sparse.solve(&mut expected).expect("the matrix is regular");
     let mut dense = DenseLu::new(pattern);
     let mut found = right_side.clone();
     dense.solve(values, &mut found);
     assert_same(name, &found, &expected, 1e-10);
+    let mut plan = solver(pattern);
+    found.copy_from_slice(&right_side);
+    plan.factorise(values).expect("the matrix is regular");
+    plan.solve(&mut found).expect("the matrix is regular");
+    assert_same(name, &found, &expected, 1e-10);
 
     let mut x = right_side.clone();
+    let mut y = right_side.clone();
     let b = &right_side;
+    let plan_work = move || {
+        y.copy_from_slice(b);
+        plan.factorise(black_box(values)).expect("the matrix is regular");
+        plan.solve(&mut y).expect("the matrix is regular");
+        black_box(&y);
+    };
     let sparse_work = move || {
         x.copy_from_slice(b);
         sparse.factorise(black_box(values)).expect("the matrix is regular");
@@ -159,8 +171,11 @@ fn linear(criterion: &mut Criterion, name: &str, pattern: &Pattern, values: &[f6
         dense.solve(black_box(values), &mut found);
         black_box(&found);
     };
-    let ways: Vec<Way<'_>> =
-        vec![("sparse LU", Box::new(sparse_work)), ("dense LU", Box::new(dense_work))];
+    let ways: Vec<Way<'_>> = vec![
+        ("elimination plan", Box::new(plan_work)),
+        ("sparse LU", Box::new(sparse_work)),
+        ("dense LU", Box::new(dense_work)),
+    ];
     compare(criterion, &format!("newton_step/{name}"), ways);
 }
 

@@ -16,7 +16,7 @@ use common::methods::{DUALS, Differences, Symbolic, duals, gradient};
 use common::scene::Scene;
 use hardpoint::assembly::{Terms, design_state};
 use hardpoint::relation::{BODY_COORDINATES, Coordinates};
-use hardpoint::solve::linear::{LinearSolver, SparseLu};
+use hardpoint::solve::linear::{LinearSolver, solver};
 use hardpoint::solve::newton::{Equations, newton};
 use hardpoint::solve::{System, Tolerances};
 
@@ -84,7 +84,7 @@ impl Equations for Position {
 /// The continuation.
 struct Sweep {
     position: Position,
-    linear: SparseLu,
+    linear: Box<dyn LinearSolver>,
     design: Vec<Coordinates<f64>>,
     slot: usize,
     height: f64,
@@ -105,7 +105,7 @@ impl Sweep {
         let h: Vec<f64> = expansion.parameters(&mechanism.positions());
         let slot = expansion.driver_slot(scene.travel);
         Self {
-            linear: SparseLu::new(phi_q),
+            linear: solver(phi_q),
             slot,
             height: h[slot],
             dh: vec![0.0; h.len()],
@@ -141,7 +141,7 @@ impl Sweep {
             position.begin_step();
             position.take_step(&self.step, 1.0);
             position.h[self.slot] = self.height + travel;
-            let outcome = newton(position, &mut self.linear, &CORRECTOR, &mut self.step);
+            let outcome = newton(position, self.linear.as_mut(), &CORRECTOR, &mut self.step);
             assert!(outcome.converged(), "{travel} m: {outcome:?}");
             self.iterations += outcome.iterations;
             arrived(&position.state);

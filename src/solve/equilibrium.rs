@@ -1,7 +1,7 @@
 //! Static equilibrium: coordinates and multipliers together (paper, eq. 4–7).
 
 use super::convergence::{Outcome, Tolerances};
-use super::linear::{LinearSolver, SparseLu, largest};
+use super::linear::{LinearSolver, largest, solver};
 use super::newton::{Equations, newton};
 use super::position::{Scales, move_bodies};
 use super::system::System;
@@ -45,7 +45,7 @@ impl Equilibrium {
         let kkt = Kkt::new(system.terms().clone(), &numbering);
         let equations = position.sizes().len();
         Self {
-            linear: Box::new(SparseLu::new(kkt.pattern())),
+            linear: solver(kkt.pattern()),
             step: vec![0.0; kkt.pattern().rows()],
             problem: Problem {
                 scales: position.scales,

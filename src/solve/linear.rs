@@ -1,15 +1,7 @@
 //! Linear systems of one fixed sparsity pattern.
 
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::perm::PermRef;
-use faer::sparse::linalg::lu::simplicial::{
-    SimplicialLu, factorize_simplicial_numeric_lu, factorize_simplicial_numeric_lu_scratch,
-    solve_in_place_scratch,
-};
-use faer::sparse::linalg::lu::{SymbolicLu, factorize_symbolic_lu};
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Conj, MatMut, Par};
-
+use super::elimination::Elimination;
+use super::sparse_lu::SparseLu;
 use crate::assembly::Pattern;
 
 /// The matrix has no usable inverse.
@@ -44,50 +36,68 @@ pub trait LinearSolver: Send {
     fn determinant_sign(&self) -> f64;
 }
 
-/// The sparse LU factorisation of faer, its symbolic part found once.
+/// The largest matrix for which an elimination plan is made. Planning takes time with the cube
+/// of the size, and the matrix of a larger system has room for a sparse factorisation.
+const LARGEST_PLAN: usize = 400;
+
+/// The solver for a square pattern: a fixed elimination plan, or the sparse LU
+/// factorisation of faer for a large one.
 ///
-/// faer reports success with infinite or undefined numbers on singular
-/// matrices, so every solution is checked against the matrix itself.
-pub struct SparseLu {
+/// # Panics
+/// If the pattern is not square.
+pub fn solver(pattern: &Pattern) -> Box<dyn LinearSolver> {
+    if pattern.rows() <= LARGEST_PLAN {
+        Box::new(Checked::new(pattern, Elimination::new(pattern)))
+    } else {
+        sparse_lu(pattern)
+    }
+}
+
+/// The solver by the sparse LU factorisation of faer, whatever the size.
+///
+/// # Panics
+/// If the pattern is not square.
+pub fn sparse_lu(pattern: &Pattern) -> Box<dyn LinearSolver> {
+    Box::new(Checked::new(pattern, SparseLu::new(pattern)))
+}
+
+/// A factorisation that may be wrong without saying so.
+pub(super) trait Factors: Send {
+    /// Factorises the matrix with these finite values.
+    fn factorise(&mut self, values: &[f64]) -> Result<(), Singular>;
+
+    /// Replaces b by the solution of A x = b, or Aᵀ x = b, as far as it is known.
+    fn substitute(&mut self, right_side: &mut [f64], transposed: bool);
+
+    /// The sign of the determinant; 0 or not finite where a pivot is.
+    fn determinant_sign(&mut self) -> f64;
+}
+
+/// A solver that holds every solution against the matrix itself.
+pub(super) struct Checked<F> {
     pattern: Pattern,
-    symbolic: SymbolicLu<usize>,
-    numeric: SimplicialLu<usize, f64>,
-    row_permutation: Vec<usize>,
-    row_permutation_inverse: Vec<usize>,
-    memory: MemBuffer,
+    factors: F,
     values: Vec<f64>,
     // The right-hand side and, behind it, its residual.
     check: Vec<f64>,
-    visited: Vec<bool>,
     sign: f64,
 }
 
 /// Largest accepted backward error ‖b − A x‖ ∕ (‖A‖ ‖x‖ + ‖b‖).
 const BACKWARD_ERROR: f64 = 1e-10;
 
-impl SparseLu {
-    /// Finds the symbolic factorisation of a square pattern.
+impl<F: Factors> Checked<F> {
+    /// A solver that factorises by `factors`.
     ///
     /// # Panics
     /// If the pattern is not square.
-    pub fn new(pattern: &Pattern) -> Self {
+    pub fn new(pattern: &Pattern, factors: F) -> Self {
         let n = pattern.rows();
         assert_eq!(n, pattern.columns(), "only square matrices are factorised");
-        let symbolic = factorize_symbolic_lu(view(pattern), Default::default())
-            .expect("the workspace of a symbolic factorisation fits into memory");
-        let memory = MemBuffer::new(
-            factorize_simplicial_numeric_lu_scratch::<usize, f64>(n, n)
-                .or(solve_in_place_scratch::<usize, f64>(n, 1, Par::Seq)),
-        );
         Self {
-            symbolic,
-            numeric: SimplicialLu::new(),
-            row_permutation: vec![0; n],
-            row_permutation_inverse: vec![0; n],
-            memory,
+            factors,
             values: vec![0.0; pattern.nonzeros()],
             check: vec![0.0; 2 * n],
-            visited: vec![false; n],
             sign: 0.0,
             pattern: pattern.clone(),
         }
@@ -99,7 +109,7 @@ impl SparseLu {
         }
         let n = right_side.len();
         self.check[..n].copy_from_slice(right_side);
-        self.substitute(right_side, transposed);
+        self.factors.substitute(right_side, transposed);
         if self.backward_error(right_side, transposed) <= BACKWARD_ERROR {
             return Ok(());
         }
@@ -107,7 +117,7 @@ impl SparseLu {
         if right_side.iter().all(|x| x.is_finite()) {
             let mut correction = std::mem::take(&mut self.check);
             let (_, residual) = correction.split_at_mut(n);
-            self.substitute(residual, transposed);
+            self.factors.substitute(residual, transposed);
             for (x, dx) in right_side.iter_mut().zip(residual.iter()) {
                 *x += dx;
             }
@@ -117,21 +127,6 @@ impl SparseLu {
             }
         }
         Err(Singular)
-    }
-
-    fn substitute(&mut self, right_side: &mut [f64], transposed: bool) {
-        let n = right_side.len();
-        let rows = PermRef::new_checked(&self.row_permutation, &self.row_permutation_inverse, n);
-        let columns = self.symbolic.col_perm();
-        let right_side = MatMut::from_column_major_slice_mut(right_side, n, 1);
-        let stack = MemStack::new(&mut self.memory);
-        let (conj, par) = (Conj::No, Par::Seq);
-        if transposed {
-            self.numeric
-                .solve_transpose_in_place_with_conj(rows, columns, conj, right_side, par, stack);
-        } else {
-            self.numeric.solve_in_place_with_conj(rows, columns, conj, right_side, par, stack);
-        }
     }
 
     /// Writes b − A x behind b and returns the backward error; infinite if x is not finite.
@@ -148,41 +143,22 @@ impl SparseLu {
         let error = largest(residual) / (matrix * largest(x) + largest(b)).max(f64::MIN_POSITIVE);
         if error.is_nan() { f64::INFINITY } else { error }
     }
-
-    fn sign_of_determinant(&mut self) -> f64 {
-        let upper = self.numeric.u_factor_unsorted();
-        let mut sign = permutation_sign(&self.row_permutation, &mut self.visited)
-            * permutation_sign(self.symbolic.col_perm().arrays().0, &mut self.visited);
-        for column in 0..self.pattern.columns() {
-            // faer stores the diagonal entry last.
-            let pivot = upper.val_of_col(column).last().copied().unwrap_or(0.0);
-            if pivot == 0.0 || !pivot.is_finite() {
-                return 0.0;
-            }
-            sign *= pivot.signum();
-        }
-        sign
-    }
 }
 
-impl LinearSolver for SparseLu {
+impl<F: Factors> LinearSolver for Checked<F> {
     fn factorise(&mut self, values: &[f64]) -> Result<(), Singular> {
         self.sign = 0.0;
         self.values.copy_from_slice(values);
         if !values.iter().all(|value| value.is_finite()) {
             return Err(Singular);
         }
-        factorize_simplicial_numeric_lu(
-            &mut self.row_permutation,
-            &mut self.row_permutation_inverse,
-            &mut self.numeric,
-            SparseColMatRef::new(view(&self.pattern), &self.values),
-            self.symbolic.col_perm(),
-            MemStack::new(&mut self.memory),
-        )
-        .map_err(|_| Singular)?;
-        self.sign = self.sign_of_determinant();
-        if self.sign == 0.0 { Err(Singular) } else { Ok(()) }
+        self.factors.factorise(values)?;
+        let sign = self.factors.determinant_sign();
+        if sign == 0.0 || !sign.is_finite() {
+            return Err(Singular);
+        }
+        self.sign = sign;
+        Ok(())
     }
 
     fn solve(&mut self, right_side: &mut [f64]) -> Result<(), Singular> {
@@ -198,16 +174,6 @@ impl LinearSolver for SparseLu {
     }
 }
 
-fn view(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, usize> {
-    SymbolicSparseColMatRef::new_checked(
-        pattern.rows(),
-        pattern.columns(),
-        pattern.column_starts(),
-        None,
-        pattern.row_indices(),
-    )
-}
-
 /// The largest absolute value; infinite if one is not a number.
 pub(super) fn largest(vector: &[f64]) -> f64 {
     vector.iter().fold(
@@ -218,7 +184,8 @@ pub(super) fn largest(vector: &[f64]) -> f64 {
     )
 }
 
-fn permutation_sign(permutation: &[usize], visited: &mut [bool]) -> f64 {
+/// 1 for an even permutation, −1 for an odd one. `visited` is scratch of its length.
+pub(super) fn permutation_sign(permutation: &[usize], visited: &mut [bool]) -> f64 {
     visited.fill(false);
     let mut sign = 1.0;
     for start in 0..permutation.len() {
@@ -245,29 +212,81 @@ mod tests {
         (Pattern::new(3, 3, entries), vec![1.0, 2.0, 3.0, 4.0, 5.0])
     }
 
+    fn solvers(pattern: &Pattern) -> [Box<dyn LinearSolver>; 2] {
+        [
+            Box::new(Checked::new(pattern, Elimination::new(pattern))),
+            Box::new(Checked::new(pattern, SparseLu::new(pattern))),
+        ]
+    }
+
+    /// Random sparse matrices, one pattern with many values: both solvers agree, also where a
+    /// pivot of the first plan vanishes.
+    #[test]
+    fn both_solvers_agree_on_random_matrices() {
+        let mut rng = fastrand::Rng::with_seed(3);
+        for n in [1, 2, 5, 20, 40] {
+            let mut entries: Vec<(usize, usize)> = (0..n).map(|k| (k, (7 * k + 3) % n)).collect();
+            entries.extend((0..4 * n).map(|_| (rng.usize(0..n), rng.usize(0..n))));
+            entries.extend((0..n).map(|k| (k, k)));
+            let pattern = Pattern::new(n, n, entries);
+            let [mut plan, mut faer] = solvers(&pattern);
+            for _ in 0..30 {
+                let value = |rng: &mut fastrand::Rng| match rng.u8(0..8) {
+                    0 => 0.0,
+                    _ => 2.0 * rng.f64() - 1.0,
+                };
+                let values: Vec<f64> = (0..pattern.nonzeros()).map(|_| value(&mut rng)).collect();
+                let b: Vec<f64> = (0..n).map(|_| rng.f64()).collect();
+                if plan.factorise(&values).is_err() || faer.factorise(&values).is_err() {
+                    continue;
+                }
+                assert_eq!(plan.determinant_sign(), faer.determinant_sign());
+                for transposed in [false, true] {
+                    let [x, y] = [&mut plan, &mut faer].map(|solver| {
+                        let mut x = b.clone();
+                        let solved = if transposed {
+                            solver.solve_transposed(&mut x)
+                        } else {
+                            solver.solve(&mut x)
+                        };
+                        solved.map(|()| x)
+                    });
+                    if let (Ok(x), Ok(y)) = (x, y) {
+                        let size = largest(&y).max(1.0);
+                        let worst =
+                            x.iter().zip(&y).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+                        assert!(worst <= 1e-6 * size, "{worst:e} of {size:e}");
+                    }
+                }
+            }
+        }
+    }
+
     #[test]
     fn solves_and_solves_transposed() {
         let (pattern, values) = example();
-        let mut solver = SparseLu::new(&pattern);
-        solver.factorise(&values).unwrap();
-        let mut x = [4.0, 13.0, 21.0];
-        solver.solve(&mut x).unwrap();
-        assert_eq!(x.map(|v| (v * 1e12).round() / 1e12), [1.0, 2.0, 3.0]);
-        let mut x = [2.0, 11.0, 23.0];
-        solver.solve_transposed(&mut x).unwrap();
-        assert_eq!(x.map(|v| (v * 1e12).round() / 1e12), [1.0, 2.0, 3.0]);
+        for mut solver in solvers(&pattern) {
+            solver.factorise(&values).unwrap();
+            let mut x = [4.0, 13.0, 21.0];
+            solver.solve(&mut x).unwrap();
+            assert_eq!(x.map(|v| (v * 1e12).round() / 1e12), [1.0, 2.0, 3.0]);
+            let mut x = [2.0, 11.0, 23.0];
+            solver.solve_transposed(&mut x).unwrap();
+            assert_eq!(x.map(|v| (v * 1e12).round() / 1e12), [1.0, 2.0, 3.0]);
+        }
     }
 
     #[test]
     fn knows_the_sign_of_the_determinant() {
-        let (pattern, mut values) = example();
-        let mut solver = SparseLu::new(&pattern);
-        assert_eq!(solver.determinant_sign(), 0.0);
-        solver.factorise(&values).unwrap();
-        assert_eq!(solver.determinant_sign(), -1.0);
-        values[0] = -1.0;
-        solver.factorise(&values).unwrap();
-        assert_eq!(solver.determinant_sign(), 1.0);
+        for mut solver in solvers(&example().0) {
+            let (_, mut values) = example();
+            assert_eq!(solver.determinant_sign(), 0.0);
+            solver.factorise(&values).unwrap();
+            assert_eq!(solver.determinant_sign(), -1.0);
+            values[0] = -1.0;
+            solver.factorise(&values).unwrap();
+            assert_eq!(solver.determinant_sign(), 1.0);
+        }
     }
 
     #[test]
@@ -286,13 +305,14 @@ mod tests {
 
     #[test]
     fn reports_singular_matrices() {
-        let (pattern, mut values) = example();
-        let mut solver = SparseLu::new(&pattern);
-        values[0] = 0.0;
-        values[3] = 0.0;
-        assert_eq!(solver.factorise(&values), Err(Singular));
-        assert_eq!(solver.solve(&mut [1.0, 1.0, 1.0]), Err(Singular));
-        values[0] = f64::NAN;
-        assert_eq!(solver.factorise(&values), Err(Singular));
+        for mut solver in solvers(&example().0) {
+            let (_, mut values) = example();
+            values[0] = 0.0;
+            values[3] = 0.0;
+            assert_eq!(solver.factorise(&values), Err(Singular));
+            assert_eq!(solver.solve(&mut [1.0, 1.0, 1.0]), Err(Singular));
+            values[0] = f64::NAN;
+            assert_eq!(solver.factorise(&values), Err(Singular));
+        }
     }
 }

@@ -5,7 +5,9 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `linear` | factorise the values of a fixed pattern, then solve |
+//! | `linear` | factorise the values of a fixed pattern, then solve, and check the solution |
+//! | `elimination` | a fixed list of operations, for the usual sizes |
+//! | `sparse_lu` | faer's factorisation, for large systems |
 //! | `newton`, `convergence` | the iteration of the paper's eq. (5)–(7) and Fig. 1 |
 //! | `equilibrium` | both residuals of eq. (4): coordinates and multipliers |
 //! | `position` | Φ = 0 alone |
@@ -14,6 +16,7 @@
 //! | `stop` | why a mechanism cannot go on |
 
 mod convergence;
+mod elimination;
 pub mod equilibrium;
 pub mod freedom;
 pub mod linear;
@@ -21,6 +24,7 @@ mod motion;
 pub mod newton;
 mod position;
 mod rank;
+mod sparse_lu;
 mod stop;
 mod system;
 mod travel;

@@ -5,7 +5,7 @@
 //! that free motions stay as still as they can:
 //! [D, Φ_qᵀ; Φ_q, 0] [Δq; μ] = [0; −Φ].
 
-use super::linear::{LinearSolver, SparseLu, largest};
+use super::linear::{LinearSolver, largest, solver};
 use super::newton::Equations;
 use crate::assembly::{Jacobian, Kkt, Numbering, Terms};
 use crate::mechanism::Mechanism;
@@ -103,10 +103,10 @@ impl Position {
 
     /// A solver for the matrix.
     pub fn linear_solver(&self) -> Box<dyn LinearSolver> {
-        Box::new(SparseLu::new(match &self.matrix {
+        solver(match &self.matrix {
             Matrix::Determinate(jacobian) => jacobian.pattern(),
             Matrix::LeastChange { kkt, .. } => kkt.pattern(),
-        }))
+        })
     }
 
     /// Length of right-hand sides and steps.
