@@ -80,6 +80,8 @@ pub(super) struct Checked<F> {
     values: Vec<f64>,
     // The right-hand side and, behind it, its residual.
     check: Vec<f64>,
+    // The largest entry of the matrix.
+    size: f64,
     sign: f64,
 }
 
@@ -98,6 +100,7 @@ impl<F: Factors> Checked<F> {
             factors,
             values: vec![0.0; pattern.nonzeros()],
             check: vec![0.0; 2 * n],
+            size: 0.0,
             sign: 0.0,
             pattern: pattern.clone(),
         }
@@ -133,14 +136,18 @@ impl<F: Factors> Checked<F> {
     fn backward_error(&mut self, x: &[f64], transposed: bool) -> f64 {
         let (b, residual) = self.check.split_at_mut(x.len());
         residual.copy_from_slice(b);
-        let mut matrix: f64 = 0.0;
-        for (row, column, slot) in self.pattern.entries() {
-            let value = self.values[slot];
-            matrix = matrix.max(value.abs());
-            let (row, column) = if transposed { (column, row) } else { (row, column) };
-            residual[row] -= value * x[column];
+        let (starts, rows) = (self.pattern.column_starts(), self.pattern.row_indices());
+        for column in 0..x.len() {
+            let entries = starts[column]..starts[column + 1];
+            let entries = rows[entries.clone()].iter().zip(&self.values[entries]);
+            if transposed {
+                residual[column] -= entries.map(|(&row, value)| value * x[row]).sum::<f64>();
+            } else {
+                entries.for_each(|(&row, value)| residual[row] -= value * x[column]);
+            }
         }
-        let error = largest(residual) / (matrix * largest(x) + largest(b)).max(f64::MIN_POSITIVE);
+        let error =
+            largest(residual) / (self.size * largest(x) + largest(b)).max(f64::MIN_POSITIVE);
         if error.is_nan() { f64::INFINITY } else { error }
     }
 }
@@ -149,7 +156,8 @@ impl<F: Factors> LinearSolver for Checked<F> {
     fn factorise(&mut self, values: &[f64]) -> Result<(), Singular> {
         self.sign = 0.0;
         self.values.copy_from_slice(values);
-        if !values.iter().all(|value| value.is_finite()) {
+        self.size = largest(values);
+        if !self.size.is_finite() {
             return Err(Singular);
         }
         self.factors.factorise(values)?;
