@@ -5,6 +5,8 @@
 //! entries that are large enough, and from it the list of all multiply-subtracts
 //! follows. When a pivot decays, the plan is made anew from the values at hand.
 
+use std::ops::Range;
+
 use super::linear::{Factors, Singular, permutation_sign};
 use crate::assembly::Pattern;
 
@@ -17,18 +19,14 @@ const DECAYED: f64 = 1e-4;
 /// No entry in this place.
 const NONE: u32 = u32::MAX;
 
-/// One pivot: where it is, and which parts of the lists belong to it.
-#[derive(Clone, Copy)]
+/// One pivot: where it is, and its parts of the lists of [`Plan`].
 struct Pivot {
     row: usize,
     column: usize,
     value: usize,
-    /// End of its part of [`Plan::lower`].
-    lower: usize,
-    /// End of its part of [`Plan::upper`].
-    upper: usize,
-    /// End of its part of [`Plan::updates`].
-    updates: usize,
+    lower: Range<usize>,
+    upper: Range<usize>,
+    updates: Range<usize>,
 }
 
 /// An entry of a factor: its row (below a pivot) or column (right of it), and its value.
@@ -87,10 +85,9 @@ impl Elimination {
         given.copy_from_slice(values);
         filled.fill(0.0);
         let values = &mut self.values[..];
-        let (mut lower, mut updates) = (0, 0);
         for (pivot, reciprocal) in self.plan.pivots.iter().zip(&mut self.reciprocals) {
             let value = values[pivot.value];
-            let below = &self.plan.lower[lower..pivot.lower];
+            let below = &self.plan.lower[pivot.lower.clone()];
             let largest = below.iter().fold(value.abs(), |largest, entry| {
                 largest.max(values[entry.value as usize].abs())
             });
@@ -102,11 +99,10 @@ impl Elimination {
             for entry in below {
                 values[entry.value as usize] *= *reciprocal;
             }
-            for update in &self.plan.updates[updates..pivot.updates] {
+            for update in &self.plan.updates[pivot.updates.clone()] {
                 values[update.target as usize] -=
                     values[update.factor as usize] * values[update.entry as usize];
             }
-            (lower, updates) = (pivot.lower, pivot.updates);
         }
         true
     }
@@ -124,39 +120,33 @@ impl Factors for Elimination {
 
     fn substitute(&mut self, right_side: &mut [f64], transposed: bool) {
         let Plan { pivots, lower, upper, .. } = &self.plan;
-        let entries = |list: &'_ [Entry], k: usize, end: fn(&Pivot) -> usize| {
-            let start = k.checked_sub(1).map_or(0, |before| end(&pivots[before]));
-            start..end(&pivots[k]).min(list.len())
-        };
-        let below = |k| entries(lower, k, |pivot| pivot.lower);
-        let right = |k| entries(upper, k, |pivot| pivot.upper);
         let (values, y) = (&self.values, &mut self.scratch);
         y.copy_from_slice(right_side);
         if transposed {
             for (k, pivot) in pivots.iter().enumerate() {
                 let x = y[pivot.column] * self.reciprocals[k];
-                for entry in &upper[right(k)] {
+                for entry in &upper[pivot.upper.clone()] {
                     y[entry.index as usize] -= values[entry.value as usize] * x;
                 }
                 right_side[pivot.row] = x;
             }
-            for (k, pivot) in pivots.iter().enumerate().rev() {
+            for pivot in pivots.iter().rev() {
                 let mut x = right_side[pivot.row];
-                for entry in &lower[below(k)] {
+                for entry in &lower[pivot.lower.clone()] {
                     x -= values[entry.value as usize] * right_side[entry.index as usize];
                 }
                 right_side[pivot.row] = x;
             }
         } else {
-            for (k, pivot) in pivots.iter().enumerate() {
+            for pivot in pivots {
                 let x = y[pivot.row];
-                for entry in &lower[below(k)] {
+                for entry in &lower[pivot.lower.clone()] {
                     y[entry.index as usize] -= values[entry.value as usize] * x;
                 }
             }
             for (k, pivot) in pivots.iter().enumerate().rev() {
                 let mut x = y[pivot.row];
-                for entry in &upper[right(k)] {
+                for entry in &upper[pivot.upper.clone()] {
                     x -= values[entry.value as usize] * right_side[entry.index as usize];
                 }
                 right_side[pivot.column] = x * self.reciprocals[k];
@@ -237,6 +227,7 @@ impl Planning {
             self.columns.iter().copied().filter(|&j| self.has(row, j)).collect();
         let below: Vec<usize> =
             self.rows.iter().copied().filter(|&i| self.has(i, column)).collect();
+        let starts = [plan.lower.len(), plan.upper.len(), plan.updates.len()];
         for &i in &below {
             let factor = self.values[i * n + column] / self.values[row * n + column];
             for &j in &right {
@@ -259,9 +250,9 @@ impl Planning {
             row,
             column,
             value: self.places[row * n + column] as usize,
-            lower: plan.lower.len(),
-            upper: plan.upper.len(),
-            updates: plan.updates.len(),
+            lower: starts[0]..plan.lower.len(),
+            upper: starts[1]..plan.upper.len(),
+            updates: starts[2]..plan.updates.len(),
         });
     }
 }
