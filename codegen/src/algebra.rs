@@ -158,7 +158,7 @@ impl Algebra {
     pub fn derivative(&mut self, atom: &Atom, variable: Variable) -> Atom {
         let mut terms = Vec::new();
         for symbol in symbols(atom) {
-            let inner = self.derivative_of_symbol(symbol, variable);
+            let inner = self.symbol_derivative(symbol, variable);
             if !inner.is_zero() {
                 terms.push(atom.derivative(symbol) * inner);
             }
@@ -167,7 +167,7 @@ impl Algebra {
     }
 
     /// The derivative of an input or intermediate: a number times a symbol.
-    fn derivative_of_symbol(&mut self, symbol: Symbol, variable: Variable) -> Atom {
+    pub fn symbol_derivative(&mut self, symbol: Symbol, variable: Variable) -> Atom {
         let Some(&k) = self.index.get(&symbol) else {
             return self.of_input(symbol, variable);
         };
@@ -304,11 +304,6 @@ impl Algebra {
                 }
             },
         })
-    }
-
-    /// The derivative of one input or intermediate.
-    pub fn symbol_derivative(&mut self, symbol: Symbol, variable: Variable) -> Atom {
-        self.derivative_of_symbol(symbol, variable)
     }
 }
 

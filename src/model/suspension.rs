@@ -15,6 +15,16 @@ pub enum Drive {
     ContactPatch,
 }
 
+impl Drive {
+    /// The name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::WheelCenter => "wheel-center",
+            Self::ContactPatch => "contact-patch",
+        }
+    }
+}
+
 /// A mechanism together with what makes it a suspension, in SI units and ISO 8855 axes.
 #[derive(Clone, Debug)]
 pub struct Suspension {

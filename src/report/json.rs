@@ -6,7 +6,6 @@ use serde_json::{Map, Value, json};
 
 use super::SweepReport;
 use crate::factors::FACTORS;
-use crate::model::Drive;
 
 impl SweepReport<'_> {
     /// Writes one object to 15 significant digits. A factor that the suspension does not have is null.
@@ -55,10 +54,7 @@ impl SweepReport<'_> {
             "side": self.model.side.name(),
             "axes": self.model.axes.name(),
             "event": self.plan.event.name(),
-            "drive": match self.drive {
-                Drive::WheelCenter => "wheel-center",
-                Drive::ContactPatch => "contact-patch",
-            },
+            "drive": self.drive.name(),
             "states_planned": self.sweep.planned,
             "stops": stops,
             "free_motions": self.sweep.free_motions,

@@ -6,6 +6,7 @@ use super::pose::{Axle, Pose, Wheel};
 use crate::mechanism::{BodyId, MechanismError, PointId};
 use crate::model::{Axes, Drive, Model, Side, Suspension};
 use crate::solve::{FreeMotion, FreedomReport, StepReport, Stop, System, SystemError};
+use crate::vector::dot;
 
 /// Why a corner cannot be put on the rig.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -91,7 +92,7 @@ impl Corner {
             rack: self.suspension.rack.map_or(0.0, |rack| self.system.driver_value(rack)),
             wheel: Wheel {
                 center: point((wheel.center, wheel.body)),
-                spin: rotation.map(|row| row[0] * spin[0] + row[1] * spin[1] + row[2] * spin[2]),
+                spin: rotation.map(|row| dot(row, spin)),
                 radius: wheel.radius,
             },
             rotation,

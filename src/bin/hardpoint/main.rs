@@ -5,11 +5,14 @@ mod failure;
 mod output;
 mod sweep;
 
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use hardpoint::model::{Model, Side};
 
 use failure::Failure;
+use output::SideName;
 
 /// Suspension kinematics, compliance and design.
 ///
@@ -44,13 +47,10 @@ fn main() -> ExitCode {
 }
 
 /// Loads a model and, where asked for, turns it into the other side.
-fn load(
-    path: &std::path::Path,
-    side: Option<output::SideName>,
-) -> Result<hardpoint::model::Model, Failure> {
-    let model = hardpoint::model::Model::load(path)?;
+fn load(path: &Path, side: Option<SideName>) -> Result<Model, Failure> {
+    let model = Model::load(path)?;
     Ok(match side {
-        Some(side) if hardpoint::model::Side::from(side) != model.side => model.mirrored(),
+        Some(side) if Side::from(side) != model.side => model.mirrored(),
         _ => model,
     })
 }
