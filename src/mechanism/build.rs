@@ -1,6 +1,7 @@
 //! Building a mechanism by name, and asking it for its parts.
 
 use super::error::MechanismError;
+use super::force::{Force, InitialVelocity};
 use super::topology::{
     Body, BodyId, Direction, Driver, DriverId, DriverKind, Joint, JointKind, Point, PointId,
 };
@@ -12,17 +13,25 @@ const COINCIDENT: f64 = 1e-6;
 /// A system of bodies, joints and drivers.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    bodies: Vec<Body>,
+    pub(super) bodies: Vec<Body>,
     points: Vec<Point>,
     joints: Vec<Joint>,
     drivers: Vec<Driver>,
+    pub(super) forces: Vec<Force>,
+    pub(super) gravity: [f64; 3],
 }
 
 impl Mechanism {
     /// An empty system with the ground under the given name, such as `chassis`.
     pub fn new(ground: &str) -> Self {
-        let ground = Body { name: ground.to_owned(), origin: [0.0; 3] };
-        Self { bodies: vec![ground], points: vec![], joints: vec![], drivers: vec![] }
+        Self {
+            bodies: vec![body(ground, [0.0; 3])],
+            points: vec![],
+            joints: vec![],
+            drivers: vec![],
+            forces: vec![],
+            gravity: [0.0; 3],
+        }
     }
 
     /// Adds a body whose frame has its origin at `origin` (m).
@@ -32,7 +41,7 @@ impl Mechanism {
     pub fn add_body(&mut self, name: &str, origin: [f64; 3]) -> Result<BodyId, MechanismError> {
         new_name("body", name, self.bodies.iter().map(|body| &*body.name))?;
         finite("body", name, &origin)?;
-        self.bodies.push(Body { name: name.to_owned(), origin });
+        self.bodies.push(body(name, origin));
         Ok(BodyId(self.bodies.len() - 1))
     }
 
@@ -84,7 +93,7 @@ impl Mechanism {
     ) -> Result<DriverId, MechanismError> {
         new_name("driver", name, self.drivers.iter().map(|driver| &*driver.name))?;
         if matches!(kind, DriverKind::Height { .. } | DriverKind::PatchHeight { .. }) {
-            self.check_height(name, i, j)?;
+            self.check_height("driver", name, i, j)?;
         }
         self.check_bodies("driver", name, i, j)?;
         if let Some(points) = kind.points() {
@@ -98,7 +107,7 @@ impl Mechanism {
                 self.check_distance("driver", name, "length", on_i, on_j)?;
             }
             DriverKind::PatchHeight { center, spin, radius } => {
-                self.check_disc(name, center, spin, radius)?;
+                self.check_disc("driver", name, center, spin, radius)?;
             }
             _ => {}
         }
@@ -156,7 +165,7 @@ impl Mechanism {
         }
     }
 
-    fn check_bodies(
+    pub(super) fn check_bodies(
         &self,
         what: &'static str,
         name: &str,
@@ -176,7 +185,7 @@ impl Mechanism {
         Ok(())
     }
 
-    fn check_points(
+    pub(super) fn check_points(
         &self,
         what: &'static str,
         name: &str,
@@ -188,7 +197,7 @@ impl Mechanism {
         }
     }
 
-    fn check_direction(
+    pub(super) fn check_direction(
         &self,
         what: &'static str,
         name: &str,
@@ -215,7 +224,7 @@ impl Mechanism {
         }
     }
 
-    fn check_distance(
+    pub(super) fn check_distance(
         &self,
         what: &'static str,
         name: &str,
@@ -238,7 +247,13 @@ impl Mechanism {
         })
     }
 
-    fn check_height(&self, name: &str, i: BodyId, j: BodyId) -> Result<(), MechanismError> {
+    pub(super) fn check_height(
+        &self,
+        what: &'static str,
+        name: &str,
+        i: BodyId,
+        j: BodyId,
+    ) -> Result<(), MechanismError> {
         if i == BodyId::GROUND && j != BodyId::GROUND {
             return Ok(());
         }
@@ -248,6 +263,7 @@ impl Mechanism {
                 .map_or_else(|| format!("body number {}", id.0), |body| body.name.clone())
         };
         Err(MechanismError::HeightBodies {
+            what,
             name: name.to_owned(),
             i: body_name(i),
             j: body_name(j),
@@ -255,28 +271,34 @@ impl Mechanism {
         })
     }
 
-    fn check_disc(
+    pub(super) fn check_disc(
         &self,
+        what: &'static str,
         name: &str,
         center: PointId,
         spin: Direction,
         radius: f64,
     ) -> Result<(), MechanismError> {
-        finite("driver", name, &[radius])?;
+        finite(what, name, &[radius])?;
         let center = self.points[center.0].name.clone();
         let name = name.to_owned();
         if radius <= 0.0 {
-            return Err(MechanismError::Radius { name, radius, center });
+            return Err(MechanismError::Radius { what, name, radius, center });
         }
         let spin = crate::vector::unit(self.vector(spin));
         if spin[0].hypot(spin[1]) < 1e-6 {
-            return Err(MechanismError::VerticalSpin { name, center });
+            return Err(MechanismError::VerticalSpin { what, name, center });
         }
         Ok(())
     }
 }
 
-fn new_name<'a>(
+fn body(name: &str, origin: [f64; 3]) -> Body {
+    let initial_velocity = InitialVelocity::default();
+    Body { name: name.to_owned(), origin, mass: None, initial_velocity }
+}
+
+pub(super) fn new_name<'a>(
     what: &'static str,
     name: &str,
     mut taken: impl Iterator<Item = &'a str>,
@@ -290,7 +312,7 @@ fn new_name<'a>(
     Ok(())
 }
 
-fn finite(what: &'static str, name: &str, numbers: &[f64]) -> Result<(), MechanismError> {
+pub(super) fn finite(what: &'static str, name: &str, numbers: &[f64]) -> Result<(), MechanismError> {
     match numbers.iter().find(|number| !number.is_finite()) {
         Some(&value) => Err(MechanismError::NotFinite { what, name: name.to_owned(), value }),
         None => Ok(()),

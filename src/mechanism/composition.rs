@@ -1,12 +1,20 @@
-//! Joints and drivers as compositions of the basic relations.
+//! Joints, drivers and force elements as compositions of the basic relations.
+
+use std::slice;
 
 use super::build::Mechanism;
 use super::expansion::{Expansion, Owner};
+use super::force::{
+    Bushing, Contact, Force, ForceId, ForceKind, LoadFrame, MassProperties, MomentLaw, Reference,
+    RotationMeasure,
+};
+use super::law::Law;
 use super::recipe::{Normals, Recipe};
 use super::topology::{BodyId, Direction, Driver, DriverId, DriverKind, Joint, JointKind, PointId};
 use crate::kernels::RelationKind;
+use crate::vector::{norm, sub};
 
-/// One joint or driver on its way into relations.
+/// One joint, driver or force element on its way into relations.
 pub(super) struct Composition<'a> {
     mechanism: &'a Mechanism,
     owner: Owner,
@@ -32,6 +40,23 @@ impl<'a> Composition<'a> {
         into: &'a mut Expansion,
     ) -> Self {
         Self { mechanism, owner: Owner::Driver(id), i: driver.i, j: driver.j, into }
+    }
+
+    pub(super) fn of_force(
+        mechanism: &'a Mechanism,
+        id: ForceId,
+        force: &Force,
+        into: &'a mut Expansion,
+    ) -> Self {
+        Self { mechanism, owner: Owner::Force(id), i: force.i, j: force.j, into }
+    }
+
+    pub(super) fn of_weight(
+        mechanism: &'a Mechanism,
+        body: BodyId,
+        into: &'a mut Expansion,
+    ) -> Self {
+        Self { mechanism, owner: Owner::Weight(body), i: body, j: body, into }
     }
 
     pub(super) fn joint(&mut self, kind: JointKind) {
@@ -69,7 +94,7 @@ impl<'a> Composition<'a> {
                 let ends = [self.local(self.i, on_i), self.local(self.j, on_j)];
                 self.relation(
                     RelationKind::SquaredDistance,
-                    &[ends[0], ends[1], Recipe::Distance(on_i, on_j)],
+                    &[ends[0], ends[1], Recipe::Distance(on_i, on_j, 0.0)],
                 );
             }
             JointKind::InPlane { at, normal } => self.orthogonal_2(Recipe::Axis(normal), at),
@@ -94,7 +119,7 @@ impl<'a> Composition<'a> {
                 let ends = [self.local(self.i, on_i), self.local(self.j, on_j)];
                 self.relation(
                     RelationKind::Distance,
-                    &[ends[0], ends[1], Recipe::Distance(on_i, on_j)],
+                    &[ends[0], ends[1], Recipe::Distance(on_i, on_j, 0.0)],
                 );
             }
             DriverKind::Height { at } => {
@@ -112,6 +137,106 @@ impl<'a> Composition<'a> {
                 );
             }
         }
+    }
+
+    pub(super) fn force(&mut self, kind: &ForceKind) {
+        match kind {
+            ForceKind::Line { on_i, on_j, reference, law } => {
+                let reference = match *reference {
+                    Reference::Length(length) => Recipe::Number(length),
+                    Reference::Design(offset) => Recipe::Distance(*on_i, *on_j, offset),
+                };
+                let ends = [self.local(self.i, *on_i), self.local(self.j, *on_j)];
+                let recipes = [ends[0], ends[1], reference];
+                self.element(RelationKind::Distance, &recipes, slice::from_ref(law));
+            }
+            ForceKind::Torsion { axis, law } => {
+                let [first, second] = self.normals(*axis);
+                let recipes = [first, second, first, Recipe::Number(0.0)];
+                self.element(RelationKind::Torsion, &recipes, slice::from_ref(law));
+            }
+            ForceKind::Bushing(bushing) => self.bushing(bushing),
+            ForceKind::Tyre { contact, free_radius, ground, law } => {
+                self.i = self.j;
+                let law = slice::from_ref(law);
+                match *contact {
+                    Contact::Center(center) => {
+                        let height = Recipe::Number(ground + free_radius);
+                        let recipes = [self.local(self.j, center), height];
+                        self.element(RelationKind::PointHeight, &recipes, law);
+                    }
+                    Contact::Patch { center, spin } => {
+                        let point = self.local(self.j, center);
+                        let (spin, radius) = (Recipe::Axis(spin), Recipe::Number(*free_radius));
+                        let recipes = [point, spin, radius, Recipe::Number(*ground)];
+                        self.element(RelationKind::PatchHeight, &recipes, law);
+                    }
+                }
+            }
+            ForceKind::PointForce { at, frame, direction, size } => {
+                self.i = self.j;
+                let axis = Recipe::Axis(Direction::Fixed(*direction));
+                let point = self.local(self.j, *at);
+                self.load(*frame, axis, Some(point), *size);
+            }
+            ForceKind::Moment { frame, direction, size } => {
+                self.i = self.j;
+                self.load(*frame, Recipe::Axis(Direction::Fixed(*direction)), None, *size);
+            }
+        }
+    }
+
+    /// The weight m·g at the centre of mass.
+    pub(super) fn weight(&mut self, mass: &MassProperties, gravity: [f64; 3]) {
+        let origin = self.mechanism.bodies()[self.j.0].origin;
+        let center = Recipe::Constant(sub(mass.center, origin));
+        let axis = Recipe::Axis(Direction::Fixed(gravity));
+        self.load(LoadFrame::Space, axis, Some(center), mass.mass * norm(gravity));
+    }
+
+    /// A force at a point, or a moment where there is no point, along an axis.
+    fn load(&mut self, frame: LoadFrame, axis: Recipe, point: Option<Recipe>, size: f64) {
+        // The force on the body is −Wᵀλ.
+        let law = [Law::constant(-size)];
+        match (frame, point) {
+            (LoadFrame::Space, Some(point)) => {
+                let recipes = [axis, point, Recipe::Number(0.0)];
+                self.element(RelationKind::PositionAlong, &recipes, &law);
+            }
+            (LoadFrame::Body, Some(point)) => {
+                self.element(RelationKind::ForceInBody, &[axis, point], &law);
+            }
+            (LoadFrame::Space, None) => self.element(RelationKind::MomentInSpace, &[axis], &law),
+            (LoadFrame::Body, None) => self.element(RelationKind::MomentInBody, &[axis], &law),
+        }
+    }
+
+    fn bushing(&mut self, bushing: &Bushing) {
+        let axes = [0, 1, 2].map(|axis| Recipe::BushingAxis(bushing.axes, axis));
+        let [x, y, z] = axes;
+        if !bushing.translation.iter().all(Law::is_zero) {
+            let (on_i, on_j) = (self.local(self.i, bushing.at), self.local(self.j, bushing.at));
+            let recipes = [x, y, z, on_i, on_j];
+            self.element(RelationKind::BushingTranslation, &recipes, &bushing.translation);
+        }
+        if bushing.rotation.iter().all(Law::is_zero) {
+            return;
+        }
+        let (kind, recipes) = match (bushing.measure, bushing.moment) {
+            (RotationMeasure::Angles, MomentLaw::Energy) => {
+                (RelationKind::BushingAngles, &[x, y, z, x, y, z][..])
+            }
+            (RotationMeasure::Angles, MomentLaw::Torque) => {
+                (RelationKind::BushingAnglesTorque, &[x, y, z, x, y, z][..])
+            }
+            (RotationMeasure::RotationVector, MomentLaw::Energy) => {
+                (RelationKind::BushingRotationVector, &axes[..])
+            }
+            (RotationMeasure::RotationVector, MomentLaw::Torque) => {
+                (RelationKind::BushingRotationVectorTorque, &axes[..])
+            }
+        };
+        self.element(kind, recipes, &bushing.rotation);
     }
 
     /// The axis of body *j* stays parallel to that of body *i*.
@@ -154,5 +279,10 @@ impl<'a> Composition<'a> {
     fn relation(&mut self, kind: RelationKind, recipes: &[Recipe]) {
         let Self { owner, i, j, .. } = *self;
         self.into.relation(owner, kind, i, j, recipes);
+    }
+
+    fn element(&mut self, kind: RelationKind, recipes: &[Recipe], laws: &[Law]) {
+        let Self { owner, i, j, .. } = *self;
+        self.into.element(owner, kind, i, j, recipes, laws);
     }
 }

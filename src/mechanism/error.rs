@@ -11,7 +11,7 @@ pub enum MechanismError {
     /// Two things have one name.
     #[error("there are two {what}s named `{name}`; give one of them another name")]
     DuplicateName {
-        /// `body`, `point`, `joint` or `driver`.
+        /// `body`, `point`, `joint`, `driver` or `force`.
         what: &'static str,
         /// The name.
         name: String,
@@ -19,7 +19,7 @@ pub enum MechanismError {
     /// A name without a visible character.
     #[error("a {what} has an empty name; name it, because messages refer to it")]
     EmptyName {
-        /// `body`, `point`, `joint` or `driver`.
+        /// `body`, `point`, `joint`, `driver` or `force`.
         what: &'static str,
     },
     /// A coordinate, component or radius is infinite or not a number.
@@ -38,7 +38,7 @@ pub enum MechanismError {
          use the identifiers that this mechanism returned"
     )]
     UnknownId {
-        /// `joint` or `driver`.
+        /// `joint`, `driver` or `force`.
         what: &'static str,
         /// Its name.
         name: String,
@@ -50,7 +50,7 @@ pub enum MechanismError {
     /// Both bodies are the same.
     #[error("{what} `{name}` joins `{body}` with itself; name two different bodies")]
     SameBody {
-        /// `joint` or `driver`.
+        /// `joint`, `driver` or `force`.
         what: &'static str,
         /// Its name.
         name: String,
@@ -64,7 +64,7 @@ pub enum MechanismError {
         .from.name, .from.position, .to.name, .to.position
     )]
     CoincidentPoints {
-        /// `joint` or `driver`.
+        /// `joint`, `driver` or `force`.
         what: &'static str,
         /// Its name.
         name: String,
@@ -82,7 +82,7 @@ pub enum MechanismError {
         "the direction of {what} `{name}` is {direction:?}, which has no length; give a vector other than zero"
     )]
     ZeroDirection {
-        /// `joint` or `driver`.
+        /// `joint`, `driver` or `force`.
         what: &'static str,
         /// Its name.
         name: String,
@@ -91,10 +91,12 @@ pub enum MechanismError {
     },
     /// A disc without size.
     #[error(
-        "driver `{name}` has a radius of {radius} m at `{center}`; a radius has to be greater than zero"
+        "{what} `{name}` has a radius of {radius} m at `{center}`; a radius has to be greater than zero"
     )]
     Radius {
-        /// The driver.
+        /// `driver` or `force`.
+        what: &'static str,
+        /// Its name.
         name: String,
         /// The radius (m).
         radius: f64,
@@ -103,22 +105,26 @@ pub enum MechanismError {
     },
     /// A disc that lies flat has no lowest point.
     #[error(
-        "the spin axis of driver `{name}` at `{center}` is vertical, so that the disc has no lowest point; \
+        "the spin axis of {what} `{name}` at `{center}` is vertical, so that the disc has no lowest point; \
          turn the spin axis"
     )]
     VerticalSpin {
-        /// The driver.
+        /// `driver` or `force`.
+        what: &'static str,
+        /// Its name.
         name: String,
         /// Centre of the disc.
         center: String,
     },
     /// Heights are measured from the ground, on a moving body.
     #[error(
-        "driver `{name}` prescribes a height between `{i}` and `{j}`; a height is measured from the ground \
+        "{what} `{name}` needs a height between `{i}` and `{j}`; a height is measured from the ground \
          (`{ground}`) as first body to a moving second body"
     )]
     HeightBodies {
-        /// The driver.
+        /// `driver` or `force`.
+        what: &'static str,
+        /// Its name.
         name: String,
         /// Body *i*.
         i: String,
@@ -126,5 +132,41 @@ pub enum MechanismError {
         j: String,
         /// Name of the ground.
         ground: String,
+    },
+    /// A table that is no function.
+    #[error("the table of force `{name}` is wrong in row {row}: {problem}; correct this row")]
+    Table {
+        /// The force element.
+        name: String,
+        /// The row, counted from 1.
+        row: usize,
+        /// What is wrong.
+        problem: &'static str,
+    },
+    /// Masses and inertias that no body has.
+    #[error("the mass of body `{name}` is wrong: {problem}")]
+    Mass {
+        /// The body.
+        name: String,
+        /// What is wrong and what to do.
+        problem: &'static str,
+    },
+    /// Axes of a bushing that span no plane.
+    #[error(
+        "the x and z axes of force `{name}` are parallel, so they give no frame; give another z axis"
+    )]
+    ParallelAxes {
+        /// The force element.
+        name: String,
+    },
+    /// A load or a tyre between two moving bodies.
+    #[error("force `{name}` acts on `{j}` from the ground, but its first body is `{i}`; name the ground first")]
+    NotFromGround {
+        /// The force element.
+        name: String,
+        /// Body *i*.
+        i: String,
+        /// Body *j*.
+        j: String,
     },
 }

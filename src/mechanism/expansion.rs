@@ -1,14 +1,17 @@
-//! Joints and drivers as instances of relations.
+//! Joints, drivers and force elements as instances of relations.
 
 use std::ops::Range;
 
 use super::build::Mechanism;
 use super::composition::Composition;
+use super::force::ForceId;
 use super::labels;
+use super::law::Law;
 use super::recipe::Recipe;
 use super::topology::{BodyId, DriverId};
-use crate::kernels::RelationKind;
+use crate::kernels::{EnergyKind, RelationKind};
 use crate::scalar::Scalar;
+use crate::vector::sub;
 
 /// What an equation belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,6 +22,10 @@ pub enum Owner {
     Driver(DriverId),
     /// The Euler parameters of a body.
     Body(BodyId),
+    /// A force element.
+    Force(ForceId),
+    /// The weight of a body.
+    Weight(BodyId),
 }
 
 /// One relation between bodies of the mechanism.
@@ -38,11 +45,34 @@ pub struct Instance {
     pub owner: Owner,
 }
 
+/// A relation that pushes back.
+#[derive(Clone, Debug)]
+pub struct Element {
+    /// The relation; its equations are numbered apart from those of the constraints.
+    pub instance: Instance,
+    /// One law for each equation.
+    pub laws: Vec<Law>,
+}
+
+/// The inertia of a body.
+#[derive(Clone, Debug)]
+pub struct Inertia {
+    /// The body.
+    pub body: BodyId,
+    /// The kinetic energy.
+    pub kind: EnergyKind,
+    /// Where its parameters are in h.
+    pub parameters: Range<usize>,
+}
+
 /// A mechanism as relations: first the Euler parameters of every moving body,
-/// then the joints, then the drivers.
+/// then the joints, then the drivers. Force elements and inertias stand apart: they hold nothing.
 #[derive(Clone, Debug)]
 pub struct Expansion {
     instances: Vec<Instance>,
+    elements: Vec<Element>,
+    inertias: Vec<Inertia>,
+    value_count: usize,
     recipes: Vec<Recipe>,
     driver_slots: Vec<usize>,
     labels: Vec<String>,
@@ -56,6 +86,9 @@ impl Expansion {
     pub fn new(mechanism: &Mechanism) -> Self {
         let mut expansion = Self {
             instances: vec![],
+            elements: vec![],
+            inertias: vec![],
+            value_count: 0,
             recipes: vec![],
             driver_slots: vec![],
             labels: vec![],
@@ -85,7 +118,46 @@ impl Expansion {
             expansion.labels.push(labels::driver(mechanism, driver));
         }
         debug_assert_eq!(expansion.labels.len(), expansion.owners.len());
+        expansion.forces_and_masses(mechanism);
         expansion
+    }
+
+    fn forces_and_masses(&mut self, mechanism: &Mechanism) {
+        for (index, force) in mechanism.forces().iter().enumerate() {
+            Composition::of_force(mechanism, ForceId(index), force, self).force(&force.kind);
+        }
+        let gravity = mechanism.gravity();
+        for (index, body) in mechanism.bodies().iter().enumerate().skip(1) {
+            let Some(mass) = body.mass else { continue };
+            let id = BodyId(index);
+            if gravity != [0.0; 3] && mass.mass > 0.0 {
+                Composition::of_weight(mechanism, id, self).weight(&mass, gravity);
+            }
+            let [xx, yy, zz, xy, xz, yz] = mass.inertia;
+            let recipes = [
+                Recipe::Number(mass.mass),
+                Recipe::Constant(sub(mass.center, body.origin)),
+                Recipe::Constant([xx, yy, zz]),
+                Recipe::Constant([xy, xz, yz]),
+            ];
+            let parameters = self.recipes(&recipes);
+            self.inertias.push(Inertia { body: id, kind: EnergyKind::RigidBody, parameters });
+        }
+    }
+
+    /// The force elements, weights last.
+    pub fn elements(&self) -> &[Element] {
+        &self.elements
+    }
+
+    /// Number of equations of all force elements.
+    pub fn value_count(&self) -> usize {
+        self.value_count
+    }
+
+    /// The inertias of the bodies that have mass.
+    pub fn inertias(&self) -> &[Inertia] {
+        &self.inertias
     }
 
     /// The relations in the order of their equations.
@@ -148,25 +220,40 @@ impl Expansion {
         j: BodyId,
         recipes: &[Recipe],
     ) {
-        let first_parameter = self.parameter_count;
-        let first_equation = self.owners.len();
+        let first = self.owners.len();
         let equations = kind.shape().equations;
-        self.parameter_count += recipes.iter().map(|recipe| recipe.size()).sum::<usize>();
-        debug_assert_eq!(
-            self.parameter_count - first_parameter,
-            kind.shape().parameter_count(),
-            "parameters of {}",
-            kind.name()
-        );
-        self.recipes.extend_from_slice(recipes);
+        let parameters = self.recipes(recipes);
+        debug_assert_eq!(parameters.len(), kind.shape().parameter_count(), "{}", kind.name());
         self.owners.extend(std::iter::repeat_n(owner, equations));
-        self.instances.push(Instance {
-            kind,
-            i,
-            j,
-            parameters: first_parameter..self.parameter_count,
-            equations: first_equation..first_equation + equations,
-            owner,
-        });
+        let equations = first..first + equations;
+        self.instances.push(Instance { kind, i, j, parameters, equations, owner });
+    }
+
+    /// Adds one relation that pushes back.
+    pub(super) fn element(
+        &mut self,
+        owner: Owner,
+        kind: RelationKind,
+        i: BodyId,
+        j: BodyId,
+        recipes: &[Recipe],
+        laws: &[Law],
+    ) {
+        let first = self.value_count;
+        debug_assert_eq!(laws.len(), kind.shape().equations, "{}", kind.name());
+        self.value_count += laws.len();
+        let parameters = self.recipes(recipes);
+        debug_assert_eq!(parameters.len(), kind.shape().parameter_count(), "{}", kind.name());
+        let equations = first..self.value_count;
+        let instance = Instance { kind, i, j, parameters, equations, owner };
+        self.elements.push(Element { instance, laws: laws.to_vec() });
+    }
+
+    /// Keeps recipes and returns where their numbers are in h.
+    fn recipes(&mut self, recipes: &[Recipe]) -> Range<usize> {
+        let first = self.parameter_count;
+        self.parameter_count += recipes.iter().map(|recipe| recipe.size()).sum::<usize>();
+        self.recipes.extend_from_slice(recipes);
+        first..self.parameter_count
     }
 }

@@ -6,21 +6,34 @@
 //! relations are expanded from the point positions by code that is generic over
 //! the scalar, so they have exact derivatives with respect to hard points.
 //!
-//! [`Expansion`] is the mechanism as the solver sees it: joints and drivers
+//! Force elements and masses refer to points, too. A force element is a relation that pushes
+//! back with a [`Law`] instead of holding.
+//!
+//! [`Expansion`] is the mechanism as the solver sees it: joints, drivers and force elements
 //! turned into instances of relations.
 
 mod build;
 mod composition;
 mod error;
+mod elements;
 mod expansion;
+mod force;
 mod labels;
+mod law;
 mod recipe;
+mod spline;
 mod topology;
 
 pub use build::Mechanism;
 pub use error::MechanismError;
-pub use expansion::{Expansion, Instance, Owner};
+pub use expansion::{Element, Expansion, Inertia, Instance, Owner};
+pub use force::{
+    Bushing, Contact, Force, ForceId, ForceKind, InitialVelocity, LoadFrame, MassProperties,
+    MomentLaw, Reference, RotationMeasure, Triad,
+};
 pub(crate) use labels::joint as joint_in_words;
+pub use law::{Acts, Curve, Law, Response};
+pub use spline::{Jet, Spline};
 pub use topology::{
     Body, BodyId, Direction, Driver, DriverId, DriverKind, Joint, JointKind, Point, PointId,
 };

@@ -5,6 +5,7 @@
 //! exact derivative of the parameters with respect to hard points.
 
 use super::build::Mechanism;
+use super::force::Triad;
 use super::topology::{Direction, PointId};
 use crate::scalar::Scalar;
 use crate::vector::{Vector, constant, cross, norm, sub, unit};
@@ -24,8 +25,10 @@ pub(super) enum Recipe {
     SecondNormal(Normals),
     /// A number that does not depend on points.
     Number(f64),
-    /// The distance of two points.
-    Distance(PointId, PointId),
+    /// The distance of two points plus a number.
+    Distance(PointId, PointId, f64),
+    /// An axis of a bushing: 0 is x, 1 is y, 2 is z.
+    BushingAxis(Triad, usize),
     /// The height of a point.
     Height(PointId),
     /// The height of the lowest point of a disc.
@@ -66,7 +69,8 @@ impl Recipe {
             | Self::Constant(_)
             | Self::Axis(_)
             | Self::FirstNormal(_)
-            | Self::SecondNormal(_) => 3,
+            | Self::SecondNormal(_)
+            | Self::BushingAxis(..) => 3,
             Self::Number(_) | Self::Distance(..) | Self::Height(_) | Self::PatchHeight { .. } => 1,
         }
     }
@@ -82,7 +86,14 @@ impl Recipe {
             Self::FirstNormal(normals) => out.extend(normals.pair(positions)[0]),
             Self::SecondNormal(normals) => out.extend(normals.pair(positions)[1]),
             Self::Number(number) => out.push(S::from_f64(number)),
-            Self::Distance(from, to) => out.push(norm(sub(positions[to.0], positions[from.0]))),
+            Self::Distance(from, to, more) => {
+                out.push(norm(sub(positions[to.0], positions[from.0])) + S::from_f64(more));
+            }
+            Self::BushingAxis(axes, axis) => {
+                let x = direction(axes.x, positions);
+                let y = unit(cross(direction(axes.z, positions), x));
+                out.extend([x, y, cross(x, y)][axis]);
+            }
             Self::Height(point) => out.push(positions[point.0][2]),
             Self::PatchHeight { center, spin, radius } => {
                 // The normal of the disc has length one, so the disc reaches down

@@ -1,5 +1,7 @@
 //! The parts of a mechanism: bodies, points, joints and drivers.
 
+use super::force::{InitialVelocity, MassProperties};
+
 /// Number of a body; [`BodyId::GROUND`] never moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct BodyId(pub(crate) usize);
@@ -46,6 +48,10 @@ pub struct Body {
     /// Origin of the body frame at the design position (m). It is a frozen
     /// constant: the local coordinates of a point are its position minus this.
     pub origin: [f64; 3],
+    /// Mass and inertia, where they are known.
+    pub mass: Option<MassProperties>,
+    /// How it moves at the start of dynamics.
+    pub initial_velocity: InitialVelocity,
 }
 
 /// A named point and its design position (m).

@@ -1,0 +1,151 @@
+//! Force laws: what a force element answers to the value of its relation.
+
+use super::spline::{Jet, Spline};
+
+/// A function of one variable that is zero at zero unless it is a table.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Curve {
+    /// No force.
+    #[default]
+    Zero,
+    /// In proportion, with this factor.
+    Linear(f64),
+    /// A table.
+    Table(Spline),
+}
+
+impl Curve {
+    /// A linear curve; none where the factor is zero.
+    pub fn linear(factor: f64) -> Self {
+        if factor == 0.0 { Self::Zero } else { Self::Linear(factor) }
+    }
+
+    /// The value with its derivatives.
+    pub fn at(&self, x: f64) -> Jet {
+        match self {
+            Self::Zero => Jet::default(),
+            Self::Linear(factor) => Jet { value: factor * x, first: *factor, second: 0.0 },
+            Self::Table(spline) => spline.at(x),
+        }
+    }
+
+    fn is_zero(&self) -> bool {
+        matches!(self, Self::Zero)
+    }
+}
+
+/// When a force element acts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Acts {
+    /// Always, with both signs.
+    #[default]
+    Always,
+    /// Where the value is below zero, with a force that is never above zero: a bump stop or a
+    /// tyre that can lift off.
+    Below,
+    /// Where the value is above zero, with a force that is never below zero: a rebound stop.
+    Above,
+}
+
+/// λ = preload + elastic(Φ) + viscous(Φ̇): the force (N or N·m) that a relation with the value Φ
+/// (m or rad) puts on its bodies as −Wᵀλ. Between two points λ > 0 is tension.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Law {
+    /// Force by Φ.
+    pub elastic: Curve,
+    /// Force by Φ̇.
+    pub viscous: Curve,
+    /// Constant force.
+    pub preload: f64,
+    /// When it acts.
+    pub acts: Acts,
+}
+
+/// λ with its derivatives.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Response {
+    /// λ.
+    pub force: f64,
+    /// ∂λ/∂Φ, the stiffness.
+    pub by_value: f64,
+    /// ∂λ/∂Φ̇, the damping.
+    pub by_rate: f64,
+    /// ∂²λ/∂Φ².
+    pub by_value_twice: f64,
+}
+
+impl Law {
+    /// A constant force.
+    pub fn constant(force: f64) -> Self {
+        Self { preload: force, ..Self::default() }
+    }
+
+    /// A linear spring.
+    pub fn spring(stiffness: f64) -> Self {
+        Self { elastic: Curve::linear(stiffness), ..Self::default() }
+    }
+
+    /// Whether there is never any force.
+    pub fn is_zero(&self) -> bool {
+        self.elastic.is_zero() && self.viscous.is_zero() && self.preload == 0.0
+    }
+
+    /// The force for a value Φ and its rate Φ̇.
+    pub fn at(&self, value: f64, rate: f64) -> Response {
+        let idle = match self.acts {
+            Acts::Always => false,
+            Acts::Below => value >= 0.0,
+            Acts::Above => value <= 0.0,
+        };
+        if idle {
+            return Response::default();
+        }
+        let (elastic, viscous) = (self.elastic.at(value), self.viscous.at(rate));
+        let force = self.preload + elastic.value + viscous.value;
+        let pulls = match self.acts {
+            Acts::Always => false,
+            Acts::Below => force > 0.0,
+            Acts::Above => force < 0.0,
+        };
+        if pulls {
+            return Response::default();
+        }
+        Response {
+            force,
+            by_value: elastic.first,
+            by_rate: viscous.first,
+            by_value_twice: elastic.second,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stop_pushes_only_and_only_after_its_clearance() {
+        let bump = Law {
+            elastic: Curve::Linear(1000.0),
+            viscous: Curve::Linear(50.0),
+            acts: Acts::Below,
+            ..Law::default()
+        };
+        assert_eq!(bump.at(0.01, -1.0), Response::default());
+        assert_eq!(bump.at(-0.01, 0.0).force, -10.0);
+        assert_eq!(bump.at(-0.01, 0.1).force, -5.0);
+        // It does not hold back what leaves it.
+        assert_eq!(bump.at(-0.01, 1.0), Response::default());
+        let rebound = Law { acts: Acts::Above, ..Law::spring(1000.0) };
+        assert_eq!(rebound.at(0.01, 0.0).force, 10.0);
+        assert_eq!(rebound.at(-0.01, 0.0), Response::default());
+    }
+
+    #[test]
+    fn a_law_adds_its_parts() {
+        let law = Law { preload: -3.0, ..Law::spring(20.0) };
+        let response = law.at(0.5, 9.0);
+        assert_eq!((response.force, response.by_value, response.by_rate), (7.0, 20.0, 0.0));
+        assert!(!law.is_zero() && Law::default().is_zero());
+    }
+}
