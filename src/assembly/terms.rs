@@ -18,7 +18,7 @@ pub(super) struct Term {
 }
 
 impl Term {
-    fn new(instance: &Instance) -> Self {
+    pub(super) fn new(instance: &Instance) -> Self {
         Self {
             kernels: instance.kind.kernels::<f64>(),
             shape: instance.kind.shape(),
@@ -125,7 +125,23 @@ impl Terms {
         dh: &[f64],
         product: &mut [f64],
     ) {
+        self.design_products(state, h, dh, None, product, &mut []);
+    }
+
+    /// Φ_h·dh, all equations, and (Wᵀλ)_h·dh, all unknowns: how Φ and the forces of the
+    /// constraints change when the parameters change by dh. Without multipliers the
+    /// forces are not computed.
+    pub fn design_products(
+        &mut self,
+        state: &[Coordinates<f64>],
+        h: &[f64],
+        dh: &[f64],
+        lambda: Option<&[f64]>,
+        product: &mut [f64],
+        force: &mut [f64],
+    ) {
         product.fill(0.0);
+        force.fill(0.0);
         for term in &self.list {
             let dh = &dh[term.parameters.clone()];
             if dh.iter().all(|&change| change == 0.0) {
@@ -133,15 +149,21 @@ impl Terms {
             }
             let shape = term.shape;
             let phi_h = &mut self.phi_h[..shape.design.len()];
-            term.kernels.design(
-                term.place(state, h),
-                &self.zero[..shape.equations],
-                phi_h,
-                &mut self.force_h[..shape.force_design.len()],
-            );
+            let force_h = &mut self.force_h[..shape.force_design.len()];
+            let zero = &self.zero[..shape.equations];
+            let multipliers = lambda.map_or(zero, |lambda| &lambda[term.equations.clone()]);
+            term.kernels.design(term.place(state, h), multipliers, phi_h, force_h);
             let product = &mut product[term.equations.clone()];
             for (&(equation, parameter), value) in shape.design.iter().zip(phi_h) {
                 product[usize::from(equation)] += *value * dh[usize::from(parameter)];
+            }
+            if lambda.is_none() {
+                continue;
+            }
+            for (&(local, parameter), value) in shape.force_design.iter().zip(force_h) {
+                if let Some(unknown) = term.unknown(local) {
+                    force[unknown] += *value * dh[usize::from(parameter)];
+                }
             }
         }
     }
