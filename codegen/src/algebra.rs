@@ -195,10 +195,8 @@ impl Algebra {
                 }
             },
             Meaning::Function(function, arguments) => {
-                let inner: Vec<Atom> = arguments
-                    .iter()
-                    .map(|argument| self.derivative(argument, variable))
-                    .collect();
+                let inner: Vec<Atom> =
+                    arguments.iter().map(|argument| self.derivative(argument, variable)).collect();
                 if inner.iter().all(Atom::is_zero) {
                     Atom::zero()
                 } else {
