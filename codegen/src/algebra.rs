@@ -31,6 +31,8 @@ pub enum Function {
     Cosine,
     /// The angle of the point (x, y), from y and x in this order.
     Angle,
+    /// The derivative of this order of atan(√x)/√x, which is smooth at 0.
+    AtanRatio(u8),
 }
 
 /// What an intermediate stands for.
@@ -259,6 +261,9 @@ impl Algebra {
             Function::Root => vec![self.apply(Function::Reciprocal, &[value]) / Atom::num(2)],
             Function::Sine => vec![self.apply(Function::Cosine, arguments)],
             Function::Cosine => vec![-self.apply(Function::Sine, arguments)],
+            Function::AtanRatio(order) => {
+                vec![self.apply(Function::AtanRatio(order + 1), arguments)]
+            }
             Function::Angle => {
                 let (y, x) = (&arguments[0], &arguments[1]);
                 let square = self.apply(Function::Reciprocal, &[x * x + y * y]);

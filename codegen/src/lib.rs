@@ -236,6 +236,11 @@ fn mistakes(checked: &Checked, error: &KernelError) -> Vec<Mistake> {
             "the root of a number that is not positive has no derivative",
             "take the root of something that is always positive",
         ),
+        Flaw::AtanRatioOfConstant(span) => Mistake::new(
+            span.clone(),
+            "`atan_ratio` has no value for -1 and smaller numbers",
+            "give it something that is always larger than -1, such as a square",
+        ),
         Flaw::AngleOfOrigin(span) => Mistake::new(
             span.clone(),
             "both arguments of `atan2` are zero at every position",
