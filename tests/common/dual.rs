@@ -4,7 +4,7 @@
 use hardpoint::kernels::RelationKind;
 use hardpoint::relation::{Place, Shape};
 use hardpoint::scalar::Scalar;
-use num_dual::{Dual64, DualNum as _, HyperDual64};
+use num_dual::{Dual64, DualNum as _, DualStruct as _, HyperDual, HyperDual64};
 
 /// A number type of `num-dual` as a scalar of ours, which the orphan rule asks for.
 #[derive(Clone, Copy, Debug)]
@@ -68,17 +68,28 @@ macro_rules! foreign {
             fn atan2(self, x: Self) -> Self {
                 Self(self.0.atan2(x.0))
             }
+            fn atan_ratio(self, order: u8) -> Self {
+                // Taylor's series ends where a product of infinitesimals vanishes.
+                let (at, step) = (self.0.re(), self.0 - self.0.re());
+                let series = (0..4).rev().fold(<$type>::from(0.0), |sum, n: u8| {
+                    (sum * step) / f64::from(n + 1) + at.atan_ratio(order + n)
+                });
+                Self(series)
+            }
         }
     };
 }
 
 foreign!(Dual64);
 foreign!(HyperDual64);
+foreign!(HyperDual<Dual64>);
 
 /// First-order dual number.
 pub type First = Foreign<Dual64>;
 /// Second-order dual number with two directions.
 pub type Second = Foreign<HyperDual64>;
+/// Third-order dual number: each part of a second-order one has a derivative in a third direction.
+pub type Third = Foreign<HyperDual<Dual64>>;
 
 /// A random place to evaluate a relation at.
 #[derive(Clone, Debug)]
