@@ -16,7 +16,8 @@ include!("rotation.rs");
 include!("spherical.rs");
 include!("squared_distance.rs");
 include!("torsion.rs");
-/// The relations, one for each file of `constraints/`.
+include!("rigid_body.rs");
+/// The relations, one for each file of `constraints/` that states a residual.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum RelationKind {
     /// Tait–Bryan angles in a bushing: (a, b, c) = 0, Bᵀ A_iᵀ A_j B_j = R_x(a) R_y(b) R_z(c), B = [x_i y_i z_i], B_j = [x_j y_j z_j]
@@ -51,7 +52,7 @@ pub enum RelationKind {
     Torsion,
 }
 impl RelationKind {
-    /// All relations in the order of their names.
+    /// All of them in the order of their names.
     pub const ALL: &'static [Self] = &[
         Self::BushingAngles,
         Self::BushingAnglesTorque,
@@ -69,11 +70,11 @@ impl RelationKind {
         Self::SquaredDistance,
         Self::Torsion,
     ];
-    /// The name of the file that states the relation, without its ending.
+    /// The name of the file, without its ending.
     pub fn name(self) -> &'static str {
         self.shape().name
     }
-    /// The relation that the file of this name states.
+    /// What the file of this name states.
     pub fn from_name(name: &str) -> Option<Self> {
         match name {
             "bushing_angles" => Some(Self::BushingAngles),
@@ -132,6 +133,39 @@ impl RelationKind {
             Self::Spherical => &spherical::Spherical,
             Self::SquaredDistance => &squared_distance::SquaredDistance,
             Self::Torsion => &torsion::Torsion,
+        }
+    }
+}
+/// The kinetic energies, one for each file of `constraints/` that states one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum EnergyKind {
+    /// Rigid body: T = ½ m |ṙ + A (ω′ × s)|² + ½ ω′ᵀ J ω′, J = [Jxx Jxy Jxz; Jxy Jyy Jyz; Jxz Jyz Jzz]
+    RigidBody,
+}
+impl EnergyKind {
+    /// All of them in the order of their names.
+    pub const ALL: &'static [Self] = &[Self::RigidBody];
+    /// The name of the file, without its ending.
+    pub fn name(self) -> &'static str {
+        self.shape().name
+    }
+    /// What the file of this name states.
+    pub fn from_name(name: &str) -> Option<Self> {
+        match name {
+            "rigid_body" => Some(Self::RigidBody),
+            _ => None,
+        }
+    }
+    /// Patterns, parameters and operation counts.
+    pub fn shape(self) -> &'static EnergyShape {
+        match self {
+            Self::RigidBody => &rigid_body::SHAPE,
+        }
+    }
+    /// The kernels for one type of number.
+    pub fn kernels<S: Scalar>(self) -> &'static dyn KineticEnergy<S> {
+        match self {
+            Self::RigidBody => &rigid_body::RigidBody,
         }
     }
 }

@@ -4,7 +4,7 @@
 use hardpoint::kernels::RelationKind;
 use hardpoint::relation::{Place, Shape};
 use hardpoint::scalar::Scalar;
-use num_dual::{Dual64, DualNum as _, HyperDual64};
+use num_dual::{Dual64, DualNum as _, HyperDual, HyperDual64};
 
 /// A number type of `num-dual` as a scalar of ours, which the orphan rule asks for.
 #[derive(Clone, Copy, Debug)]
@@ -74,11 +74,14 @@ macro_rules! foreign {
 
 foreign!(Dual64);
 foreign!(HyperDual64);
+foreign!(HyperDual<Dual64>);
 
 /// First-order dual number.
 pub type First = Foreign<Dual64>;
 /// Second-order dual number with two directions.
 pub type Second = Foreign<HyperDual64>;
+/// Third-order dual number: each part of a second-order one has a derivative in a third direction.
+pub type Third = Foreign<HyperDual<Dual64>>;
 
 /// A random place to evaluate a relation at.
 #[derive(Clone, Debug)]
