@@ -7,6 +7,9 @@ include!("bushing_translation.rs");
 include!("displacement.rs");
 include!("distance.rs");
 include!("euler_parameters.rs");
+include!("force_in_body.rs");
+include!("moment_in_body.rs");
+include!("moment_in_space.rs");
 include!("orthogonal_1.rs");
 include!("orthogonal_2.rs");
 include!("patch_height.rs");
@@ -32,6 +35,12 @@ pub enum RelationKind {
     Distance,
     /// Normalisation of Euler parameters: pᵀp − 1 = 0
     EulerParameters,
+    /// Force fixed in the body: a virtual displacement (A a)ᵀ (δr + δθ × A s); the multiplier is the force along −A a at the point s
+    ForceInBody,
+    /// Moment fixed in the body: a virtual rotation (A a)ᵀ δθ; the multiplier is the moment about −A a
+    MomentInBody,
+    /// Moment fixed in space: a virtual rotation aᵀ δθ; the multiplier is the moment about −a
+    MomentInSpace,
     /// Orthogonal, type 1: (A_i u_i)ᵀ (A_j v_j) = 0
     Orthogonal1,
     /// Orthogonal, type 2: (A_i a_i)ᵀ (r_j + A_j s_j − r_i − A_i s_i) = 0
@@ -60,6 +69,9 @@ impl RelationKind {
         Self::Displacement,
         Self::Distance,
         Self::EulerParameters,
+        Self::ForceInBody,
+        Self::MomentInBody,
+        Self::MomentInSpace,
         Self::Orthogonal1,
         Self::Orthogonal2,
         Self::PatchHeight,
@@ -83,6 +95,9 @@ impl RelationKind {
             "displacement" => Some(Self::Displacement),
             "distance" => Some(Self::Distance),
             "euler_parameters" => Some(Self::EulerParameters),
+            "force_in_body" => Some(Self::ForceInBody),
+            "moment_in_body" => Some(Self::MomentInBody),
+            "moment_in_space" => Some(Self::MomentInSpace),
             "orthogonal_1" => Some(Self::Orthogonal1),
             "orthogonal_2" => Some(Self::Orthogonal2),
             "patch_height" => Some(Self::PatchHeight),
@@ -104,6 +119,9 @@ impl RelationKind {
             Self::Displacement => &displacement::SHAPE,
             Self::Distance => &distance::SHAPE,
             Self::EulerParameters => &euler_parameters::SHAPE,
+            Self::ForceInBody => &force_in_body::SHAPE,
+            Self::MomentInBody => &moment_in_body::SHAPE,
+            Self::MomentInSpace => &moment_in_space::SHAPE,
             Self::Orthogonal1 => &orthogonal_1::SHAPE,
             Self::Orthogonal2 => &orthogonal_2::SHAPE,
             Self::PatchHeight => &patch_height::SHAPE,
@@ -124,6 +142,9 @@ impl RelationKind {
             Self::Displacement => &displacement::Displacement,
             Self::Distance => &distance::Distance,
             Self::EulerParameters => &euler_parameters::EulerParameters,
+            Self::ForceInBody => &force_in_body::ForceInBody,
+            Self::MomentInBody => &moment_in_body::MomentInBody,
+            Self::MomentInSpace => &moment_in_space::MomentInSpace,
             Self::Orthogonal1 => &orthogonal_1::Orthogonal1,
             Self::Orthogonal2 => &orthogonal_2::Orthogonal2,
             Self::PatchHeight => &patch_height::PatchHeight,

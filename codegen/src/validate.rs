@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::definition::{Definition, ParameterDefinition, Statement, Text};
-use crate::expression::{self, Expression};
+use crate::expression::{self, Expression, Kind};
 use crate::quantity::{Checker, FUNCTIONS, Place, Quantity, Shape, given};
 use crate::source::{Mistake, Source};
 use crate::unit::Unit;
@@ -170,10 +170,17 @@ impl Checker {
         work_text: Option<&Text>,
     ) -> Option<Relation> {
         let residual = self.parse(residual_text);
-        let phi = residual.as_ref().and_then(|residual| self.quantity(residual));
+        let mut phi = residual.as_ref().and_then(|residual| self.quantity(residual));
         self.place = Place::Work;
         let work = work_text.and_then(|text| self.parse(text));
         let motion = work.as_ref().and_then(|work| self.quantity(work));
+        // A load that sees nothing has its multiplier all the same, which needs a unit.
+        let is_zero = |residual: &Expression| matches!(residual.kind, Kind::Number(0, _));
+        if let (Some(phi), Some(motion)) = (&mut phi, motion)
+            && residual.as_ref().is_some_and(is_zero)
+        {
+            phi.unit = motion.unit;
+        }
         self.sizes(&residual_text.span, phi, work_text.zip(motion));
         self.whole(&residual_text.span, "relation");
         let phi = phi?;

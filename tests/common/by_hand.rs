@@ -51,6 +51,9 @@ pub fn residual(kind: RelationKind, state: &State) -> Vec<f64> {
             let length = dot(&down, &down).sqrt();
             vec![center[2] + h[6] * down[2] / length - h[7]]
         }
+        RelationKind::ForceInBody | RelationKind::MomentInBody | RelationKind::MomentInSpace => {
+            vec![0.0]
+        }
         RelationKind::PositionAlong => vec![dot(&h[0..3], &point(0, &h[3..6])) - h[6]],
         RelationKind::Torsion => {
             let u = times(&a[1], &h[6..9]);
@@ -97,6 +100,17 @@ pub fn applied<S: Scalar>(kind: RelationKind, q: &[S; 14], h: &[S], lambda: &[S]
             let moment = rotate(p_i, local);
             let against = moment.map(|component| -component);
             Load { bodies: [[zero, zero, against], [zero, zero, moment]] }
+        }
+        RelationKind::MomentInSpace => {
+            Load { bodies: [[zero, zero, scale(lambda[0], vector(h))], [zero; 3]] }
+        }
+        RelationKind::MomentInBody => {
+            let moment = rotate(p_i, scale(lambda[0], vector(h)));
+            Load { bodies: [[zero, zero, moment], [zero; 3]] }
+        }
+        RelationKind::ForceInBody => {
+            let (push, point) = (rotate(p_i, vector(h)), rotate(p_i, vector(&h[3..6])));
+            Load { bodies: [[point, scale(lambda[0], push), zero], [zero; 3]] }
         }
         other => panic!("{} states no work", other.name()),
     }
