@@ -1,6 +1,9 @@
 // Generated from constraints/ by hardpoint-codegen; changes here are lost.
 // Rewrite with: cargo run -p hardpoint-codegen -- write
 
+include!("bushing_angles.rs");
+include!("bushing_angles_torque.rs");
+include!("bushing_translation.rs");
 include!("displacement.rs");
 include!("distance.rs");
 include!("euler_parameters.rs");
@@ -8,12 +11,20 @@ include!("orthogonal_1.rs");
 include!("orthogonal_2.rs");
 include!("patch_height.rs");
 include!("point_height.rs");
+include!("position_along.rs");
 include!("rotation.rs");
 include!("spherical.rs");
 include!("squared_distance.rs");
+include!("torsion.rs");
 /// The relations, one for each file of `constraints/`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum RelationKind {
+    /// Tait–Bryan angles in a bushing: (a, b, c) = 0, Bᵀ A_iᵀ A_j B_j = R_x(a) R_y(b) R_z(c), B = [x_i y_i z_i], B_j = [x_j y_j z_j]
+    BushingAngles,
+    /// Tait–Bryan angles in a bushing, with torques about its axes: (a, b, c) = 0, Bᵀ A_iᵀ A_j B_j = R_x(a) R_y(b) R_z(c); torques about B = [x_i y_i z_i], B_j = [x_j y_j z_j]
+    BushingAnglesTorque,
+    /// Displacement in a bushing: Bᵀ A_iᵀ (r_j + A_j s_j − r_i − A_i s_i) = 0, B = [x_i y_i z_i]
+    BushingTranslation,
     /// Prescribed coordinate of a point: (A_i a_i)ᵀ (r_j + A_j s_j − r_i − A_i s_i) − c = 0
     Displacement,
     /// Distance of two points: |d_ij| − l = 0, d_ij = r_j + A_j s_j − r_i − A_i s_i
@@ -28,16 +39,23 @@ pub enum RelationKind {
     PatchHeight,
     /// Prescribed height of a point: e_zᵀ (r + A s) − z = 0
     PointHeight,
+    /// Position of a point along a fixed direction: aᵀ (r + A s) − c = 0
+    PositionAlong,
     /// Prescribed angle about an axis: sin(θ − α) = 0, with cos θ = (A_i u_i)ᵀ A_j w_j and sin θ = (A_i v_i)ᵀ A_j w_j
     Rotation,
     /// Spherical joint: r_j + A_j s_j − r_i − A_i s_i = 0
     Spherical,
     /// Constant distance, squared: d_ijᵀ d_ij − l² = 0, d_ij = r_j + A_j s_j − r_i − A_i s_i
     SquaredDistance,
+    /// Angle about an axis: atan2((A_i w_i)ᵀ A_j u_j, (A_i u_i)ᵀ A_j u_j) − α = 0
+    Torsion,
 }
 impl RelationKind {
     /// All relations in the order of their names.
     pub const ALL: &'static [Self] = &[
+        Self::BushingAngles,
+        Self::BushingAnglesTorque,
+        Self::BushingTranslation,
         Self::Displacement,
         Self::Distance,
         Self::EulerParameters,
@@ -45,9 +63,11 @@ impl RelationKind {
         Self::Orthogonal2,
         Self::PatchHeight,
         Self::PointHeight,
+        Self::PositionAlong,
         Self::Rotation,
         Self::Spherical,
         Self::SquaredDistance,
+        Self::Torsion,
     ];
     /// The name of the file that states the relation, without its ending.
     pub fn name(self) -> &'static str {
@@ -56,6 +76,9 @@ impl RelationKind {
     /// The relation that the file of this name states.
     pub fn from_name(name: &str) -> Option<Self> {
         match name {
+            "bushing_angles" => Some(Self::BushingAngles),
+            "bushing_angles_torque" => Some(Self::BushingAnglesTorque),
+            "bushing_translation" => Some(Self::BushingTranslation),
             "displacement" => Some(Self::Displacement),
             "distance" => Some(Self::Distance),
             "euler_parameters" => Some(Self::EulerParameters),
@@ -63,15 +86,20 @@ impl RelationKind {
             "orthogonal_2" => Some(Self::Orthogonal2),
             "patch_height" => Some(Self::PatchHeight),
             "point_height" => Some(Self::PointHeight),
+            "position_along" => Some(Self::PositionAlong),
             "rotation" => Some(Self::Rotation),
             "spherical" => Some(Self::Spherical),
             "squared_distance" => Some(Self::SquaredDistance),
+            "torsion" => Some(Self::Torsion),
             _ => None,
         }
     }
     /// Patterns, parameters and operation counts.
     pub fn shape(self) -> &'static Shape {
         match self {
+            Self::BushingAngles => &bushing_angles::SHAPE,
+            Self::BushingAnglesTorque => &bushing_angles_torque::SHAPE,
+            Self::BushingTranslation => &bushing_translation::SHAPE,
             Self::Displacement => &displacement::SHAPE,
             Self::Distance => &distance::SHAPE,
             Self::EulerParameters => &euler_parameters::SHAPE,
@@ -79,14 +107,19 @@ impl RelationKind {
             Self::Orthogonal2 => &orthogonal_2::SHAPE,
             Self::PatchHeight => &patch_height::SHAPE,
             Self::PointHeight => &point_height::SHAPE,
+            Self::PositionAlong => &position_along::SHAPE,
             Self::Rotation => &rotation::SHAPE,
             Self::Spherical => &spherical::SHAPE,
             Self::SquaredDistance => &squared_distance::SHAPE,
+            Self::Torsion => &torsion::SHAPE,
         }
     }
     /// The kernels for one type of number.
     pub fn kernels<S: Scalar>(self) -> &'static dyn Relation<S> {
         match self {
+            Self::BushingAngles => &bushing_angles::BushingAngles,
+            Self::BushingAnglesTorque => &bushing_angles_torque::BushingAnglesTorque,
+            Self::BushingTranslation => &bushing_translation::BushingTranslation,
             Self::Displacement => &displacement::Displacement,
             Self::Distance => &distance::Distance,
             Self::EulerParameters => &euler_parameters::EulerParameters,
@@ -94,9 +127,11 @@ impl RelationKind {
             Self::Orthogonal2 => &orthogonal_2::Orthogonal2,
             Self::PatchHeight => &patch_height::PatchHeight,
             Self::PointHeight => &point_height::PointHeight,
+            Self::PositionAlong => &position_along::PositionAlong,
             Self::Rotation => &rotation::Rotation,
             Self::Spherical => &spherical::Spherical,
             Self::SquaredDistance => &squared_distance::SquaredDistance,
+            Self::Torsion => &torsion::Torsion,
         }
     }
 }

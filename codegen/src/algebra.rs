@@ -18,7 +18,7 @@ const SMALL: usize = 32;
 /// Products that may give more terms than this are not expanded for comparison.
 const LARGE: usize = 20_000;
 
-/// Smooth functions of one argument that an intermediate may stand for.
+/// Smooth functions that an intermediate may stand for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Function {
     /// 1/x
@@ -29,6 +29,8 @@ pub enum Function {
     Sine,
     /// cos x
     Cosine,
+    /// The angle of the point (x, y), from y and x in this order.
+    Angle,
 }
 
 /// What an intermediate stands for.
@@ -36,8 +38,18 @@ pub enum Function {
 pub enum Meaning {
     /// A polynomial in inputs and earlier intermediates.
     Polynomial(Atom),
-    /// A function of such a polynomial.
-    Function(Function, Atom),
+    /// A function of such polynomials.
+    Function(Function, Vec<Atom>),
+}
+
+impl Meaning {
+    /// The polynomials that it is made of.
+    pub fn polynomials(&self) -> &[Atom] {
+        match self {
+            Self::Polynomial(polynomial) => std::slice::from_ref(polynomial),
+            Self::Function(_, arguments) => arguments,
+        }
+    }
 }
 
 struct Name {
@@ -64,7 +76,7 @@ pub struct Algebra {
     /// From an expanded polynomial with leading coefficient 1 to the
     /// intermediate that is the given multiple of it.
     by_flat: HashMap<Atom, (Symbol, Atom)>,
-    by_function: HashMap<(Function, Atom), Symbol>,
+    by_function: HashMap<(Function, Vec<Atom>), Symbol>,
     index: HashMap<Symbol, usize>,
     derivatives: HashMap<(Symbol, Variable), Atom>,
 }
@@ -124,16 +136,16 @@ impl Algebra {
         factor * Atom::var(symbol)
     }
 
-    /// The name of a function of a polynomial.
-    pub fn apply(&mut self, function: Function, argument: &Atom) -> Atom {
-        let argument = self.name(argument);
-        let key = (function, argument.clone());
+    /// The name of a function of polynomials.
+    pub fn apply(&mut self, function: Function, arguments: &[Atom]) -> Atom {
+        let arguments: Vec<Atom> = arguments.iter().map(|argument| self.name(argument)).collect();
+        let key = (function, arguments.clone());
         if let Some(symbol) = self.by_function.get(&key) {
             return Atom::var(*symbol);
         }
         let symbol = self.symbol(self.names.len());
         self.by_function.insert(key, symbol);
-        self.push(symbol, Meaning::Function(function, argument), Atom::var(symbol));
+        self.push(symbol, Meaning::Function(function, arguments), Atom::var(symbol));
         Atom::var(symbol)
     }
 
@@ -182,13 +194,18 @@ impl Algebra {
                     self.name(&atom)
                 }
             },
-            Meaning::Function(function, argument) => {
-                let inner = self.derivative(&argument, variable);
-                if inner.is_zero() {
+            Meaning::Function(function, arguments) => {
+                let inner: Vec<Atom> = arguments
+                    .iter()
+                    .map(|argument| self.derivative(argument, variable))
+                    .collect();
+                if inner.iter().all(Atom::is_zero) {
                     Atom::zero()
                 } else {
-                    let outer = self.function_derivative(function, &argument, symbol);
-                    self.name(&(outer * inner))
+                    let outer = self.function_derivatives(function, &arguments, symbol);
+                    let terms = outer.iter().zip(&inner).map(|(outer, inner)| outer * inner);
+                    let atom = Atom::add_many(terms.collect::<Vec<_>>());
+                    self.name(&atom)
                 }
             }
         };
@@ -228,16 +245,25 @@ impl Algebra {
         self.by_flat.get(&key).map(|(symbol, known)| scale / known * Atom::var(*symbol))
     }
 
-    /// f′(x) in terms of the intermediate f(x) itself and others.
-    fn function_derivative(&mut self, function: Function, argument: &Atom, value: Symbol) -> Atom {
+    /// The derivative of a function by each of its arguments, in terms of its
+    /// value, which is an intermediate, and of others.
+    fn function_derivatives(
+        &mut self,
+        function: Function,
+        arguments: &[Atom],
+        value: Symbol,
+    ) -> Vec<Atom> {
+        let value = Atom::var(value);
         match function {
-            Function::Reciprocal => -(Atom::var(value) * Atom::var(value)),
-            Function::Root => {
-                let reciprocal = self.apply(Function::Reciprocal, &Atom::var(value));
-                reciprocal / Atom::num(2)
+            Function::Reciprocal => vec![-(&value * &value)],
+            Function::Root => vec![self.apply(Function::Reciprocal, &[value]) / Atom::num(2)],
+            Function::Sine => vec![self.apply(Function::Cosine, arguments)],
+            Function::Cosine => vec![-self.apply(Function::Sine, arguments)],
+            Function::Angle => {
+                let (y, x) = (&arguments[0], &arguments[1]);
+                let square = self.apply(Function::Reciprocal, &[x * x + y * y]);
+                vec![self.name(&(x * &square)), self.name(&-(y * &square))]
             }
-            Function::Sine => self.apply(Function::Cosine, argument),
-            Function::Cosine => -self.apply(Function::Sine, argument),
         }
     }
 
@@ -264,11 +290,16 @@ impl Algebra {
                     .into_iter()
                     .map(|part| (part, polynomial.derivative(part)))
                     .collect::<Vec<_>>(),
-                Meaning::Function(function, argument) => {
-                    let outer = self.function_derivative(function, &argument, symbol);
-                    symbols(&argument)
-                        .into_iter()
-                        .map(|part| (part, argument.derivative(part) * &outer))
+                Meaning::Function(function, arguments) => {
+                    let outer = self.function_derivatives(function, &arguments, symbol);
+                    arguments
+                        .iter()
+                        .zip(&outer)
+                        .flat_map(|(argument, outer)| {
+                            symbols(argument)
+                                .into_iter()
+                                .map(move |part| (part, argument.derivative(part) * outer))
+                        })
                         .collect()
                 }
             };
@@ -298,11 +329,10 @@ impl Algebra {
     pub fn has_virtual_motion(&self, atom: &Atom) -> bool {
         symbols(atom).into_iter().any(|symbol| match self.index.get(&symbol) {
             None => self.alphabet.virtual_motions.contains(&symbol),
-            Some(&k) => match &self.names[k].meaning {
-                Meaning::Polynomial(inner) | Meaning::Function(_, inner) => {
-                    self.has_virtual_motion(inner)
-                }
-            },
+            Some(&k) => {
+                let mut parts = self.names[k].meaning.polynomials().iter();
+                parts.any(|part| self.has_virtual_motion(part))
+            }
         })
     }
 }

@@ -99,7 +99,8 @@ fn arguments(node: Node) -> [Option<NodeId>; 2] {
     match node {
         Node::Input(_) | Node::Constant(..) => [None, None],
         Node::Add(a, b) | Node::Subtract(a, b) | Node::Multiply(a, b) => [Some(a), Some(b)],
-        Node::Negate(a) | Node::Apply(_, a) => [Some(a), None],
+        Node::Negate(a) => [Some(a), None],
+        Node::Apply(_, a, b) => [Some(a), b],
     }
 }
 
@@ -161,7 +162,7 @@ fn piece(
             let inner = pieces[a].within(Binding::Sign);
             joined(quote!(-#inner), Binding::Sign, &[a])
         }
-        Node::Apply(function, a) => {
+        Node::Apply(function, a, b) => {
             let inner = pieces[a].within(Binding::Whole);
             match function {
                 Function::Reciprocal => {
@@ -171,6 +172,11 @@ fn piece(
                 Function::Root => joined(quote!(#inner.sqrt()), Binding::Whole, &[a]),
                 Function::Sine => joined(quote!(#inner.sin()), Binding::Whole, &[a]),
                 Function::Cosine => joined(quote!(#inner.cos()), Binding::Whole, &[a]),
+                Function::Angle => {
+                    let b = b.unwrap_or_else(|| unreachable!("an angle has two arguments"));
+                    let x = &pieces[b].tokens;
+                    joined(quote!(#inner.atan2(#x)), Binding::Whole, &[a, b])
+                }
             }
         }
     }

@@ -213,6 +213,11 @@ fn mistakes(relation: &Relation, error: &KernelError) -> Vec<Mistake> {
             "the root of a number that is not positive has no derivative",
             "take the root of something that is always positive",
         ),
+        Flaw::AngleOfOrigin(span) => Mistake::new(
+            span.clone(),
+            "both arguments of `atan2` are zero at every position",
+            "the origin has no angle; give it the sine and the cosine of one",
+        ),
         Flaw::ConstantWork(row) => Mistake::new(
             work.row(*row).span.clone(),
             format!("row {} of work has no virtual motion", row + 1),

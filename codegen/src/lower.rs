@@ -23,6 +23,8 @@ pub enum Flaw {
     ZeroDivisor(Range<usize>),
     /// A root, at this place of the file, of zero or a negative number.
     RootOfConstant(Range<usize>),
+    /// An angle, at this place of the file, of a point that is always the origin.
+    AngleOfOrigin(Range<usize>),
 }
 
 /// The equations of a relation as scalars.
@@ -270,17 +272,28 @@ impl Lowering {
                 if self.algebra.vanishes(&divisor) {
                     self.flaws.push(Flaw::ZeroDivisor(span.clone()));
                 }
-                let reciprocal = self.algebra.apply(Function::Reciprocal, &divisor);
+                let reciprocal = self.algebra.apply(Function::Reciprocal, &[divisor]);
                 self.explicit(left).map(|atom| atom * &reciprocal)
             }
         }
     }
 
-    fn root(&mut self, argument: &Atom, span: &Range<usize>) -> Value {
-        if self.algebra.is_not_positive(argument) {
+    fn root(&mut self, argument: Atom, span: &Range<usize>) -> Value {
+        if self.algebra.is_not_positive(&argument) {
             self.flaws.push(Flaw::RootOfConstant(span.clone()));
         }
-        Value::Scalar(self.algebra.apply(Function::Root, argument))
+        self.apply(Function::Root, &[argument])
+    }
+
+    fn angle(&mut self, y: Atom, x: Atom, span: &Range<usize>) -> Value {
+        if self.algebra.vanishes(&y) && self.algebra.vanishes(&x) {
+            self.flaws.push(Flaw::AngleOfOrigin(span.clone()));
+        }
+        self.apply(Function::Angle, &[y, x])
+    }
+
+    fn apply(&mut self, function: Function, arguments: &[Atom]) -> Value {
+        Value::Scalar(self.algebra.apply(function, arguments))
     }
 
     fn call(&mut self, name: &str, arguments: Vec<Value>, span: &Range<usize>) -> Value {
@@ -291,7 +304,7 @@ impl Lowering {
             "cross" => Value::Vector(cross(&next().components(), &next().components())),
             "norm" => {
                 let vector = next().components();
-                self.root(&dot(&vector, &vector), span)
+                self.root(dot(&vector, &vector), span)
             }
             "transpose" => match next() {
                 Value::Rotation { body, transposed } => {
@@ -300,9 +313,10 @@ impl Lowering {
                 Value::Matrix(rows) => Value::Matrix(transpose(&rows)),
                 _ => unreachable!("shapes were checked"),
             },
-            "sqrt" => self.root(&next().scalar(), span),
-            "sin" => Value::Scalar(self.algebra.apply(Function::Sine, &next().scalar())),
-            "cos" => Value::Scalar(self.algebra.apply(Function::Cosine, &next().scalar())),
+            "sqrt" => self.root(next().scalar(), span),
+            "sin" => self.apply(Function::Sine, &[next().scalar()]),
+            "cos" => self.apply(Function::Cosine, &[next().scalar()]),
+            "atan2" => self.angle(next().scalar(), next().scalar(), span),
             _ => unreachable!("functions were checked"),
         }
     }

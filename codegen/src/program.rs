@@ -22,8 +22,8 @@ pub enum Node {
     Multiply(NodeId, NodeId),
     /// Negation.
     Negate(NodeId),
-    /// Function of one argument.
-    Apply(Function, NodeId),
+    /// Function of one or two arguments.
+    Apply(Function, NodeId, Option<NodeId>),
 }
 
 /// Operations of a program.
@@ -35,7 +35,7 @@ pub struct Operations {
     pub multiplications: usize,
     /// Divisions.
     pub divisions: usize,
-    /// Square roots, sines, cosines.
+    /// Square roots, sines, cosines, angles.
     pub functions: usize,
 }
 
@@ -78,7 +78,7 @@ impl Program {
                 Node::Input(_) | Node::Constant(..) => {}
                 Node::Add(..) | Node::Subtract(..) => operations.additions += 1,
                 Node::Multiply(..) | Node::Negate(_) => operations.multiplications += 1,
-                Node::Apply(Function::Reciprocal, _) => operations.divisions += 1,
+                Node::Apply(Function::Reciprocal, ..) => operations.divisions += 1,
                 Node::Apply(..) => operations.functions += 1,
             }
         }
@@ -96,10 +96,13 @@ impl Program {
                 Node::Subtract(a, b) => values[a] - values[b],
                 Node::Multiply(a, b) => values[a] * values[b],
                 Node::Negate(a) => -values[a],
-                Node::Apply(Function::Reciprocal, a) => 1.0 / values[a],
-                Node::Apply(Function::Root, a) => values[a].sqrt(),
-                Node::Apply(Function::Sine, a) => values[a].sin(),
-                Node::Apply(Function::Cosine, a) => values[a].cos(),
+                Node::Apply(function, a, b) => match function {
+                    Function::Reciprocal => 1.0 / values[a],
+                    Function::Root => values[a].sqrt(),
+                    Function::Sine => values[a].sin(),
+                    Function::Cosine => values[a].cos(),
+                    Function::Angle => values[a].atan2(b.map_or(f64::NAN, |b| values[b])),
+                },
             });
         }
         self.outputs.iter().map(|&output| values[output]).collect()

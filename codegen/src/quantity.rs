@@ -51,7 +51,8 @@ const GIVEN: [(&str, Shape, Unit); 5] = [
 ];
 
 /// The functions of the language.
-pub(crate) const FUNCTIONS: [&str; 7] = ["dot", "cross", "norm", "transpose", "sqrt", "sin", "cos"];
+pub(crate) const FUNCTIONS: [&str; 8] =
+    ["dot", "cross", "norm", "transpose", "sqrt", "sin", "cos", "atan2"];
 
 /// What is known while a relation is checked, and the mistakes found so far.
 #[derive(Default)]
@@ -254,11 +255,15 @@ impl Checker {
             ("sin" | "cos", [Scalar]) if arguments[0].unit == Unit::ONE => {
                 return quantity(Scalar, Unit::ONE);
             }
+            ("atan2", [Scalar, Scalar]) if arguments[0].unit == arguments[1].unit => {
+                return quantity(Scalar, Unit::ONE);
+            }
             ("dot", _) => "two vectors of one size",
             ("cross", _) => "two vectors of 3",
             ("norm", _) => "a vector",
             ("transpose", _) => "a 3×3 matrix",
             ("sqrt", _) => "a number",
+            ("atan2", _) => "two numbers of one unit, the sine of the angle first",
             ("sin" | "cos", _) => "a number without dimension, an angle in radians",
             _ => {
                 let help = match closest(name, FUNCTIONS.into_iter()) {

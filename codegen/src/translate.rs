@@ -39,11 +39,10 @@ fn needed_intermediates(algebra: &Algebra, outputs: &[Atom]) -> Vec<(Symbol, Mea
     let mut open: Vec<Symbol> = outputs.iter().flat_map(symbols).collect();
     let mut needed = HashSet::new();
     while let Some(symbol) = open.pop() {
-        if let Some(Meaning::Polynomial(inner) | Meaning::Function(_, inner)) =
-            meanings.get(&symbol)
+        if let Some(meaning) = meanings.get(&symbol)
             && needed.insert(symbol)
         {
-            open.extend(symbols(inner));
+            open.extend(meaning.polynomials().iter().flat_map(symbols));
         }
     }
     algebra
@@ -60,11 +59,14 @@ fn translate(
     direct: bool,
     iterations: usize,
 ) -> Result<Program, ProgramError> {
-    let mut expressions: Vec<Atom> = intermediates
-        .iter()
-        .map(|(_, Meaning::Polynomial(inner) | Meaning::Function(_, inner))| inner.clone())
-        .collect();
-    expressions.extend(outputs.iter().cloned());
+    let mut expressions: Vec<Atom> = Vec::new();
+    let mut place = HashMap::new();
+    for (symbol, meaning) in intermediates {
+        place.insert(*symbol, (meaning, expressions.len()));
+        expressions.extend_from_slice(meaning.polynomials());
+    }
+    let first_output = expressions.len();
+    expressions.extend_from_slice(outputs);
     if expressions.is_empty() {
         return Ok(Program { nodes: Vec::new(), outputs: Vec::new() });
     }
@@ -88,12 +90,10 @@ fn translate(
         })
         .collect::<Result<Vec<_>, _>>()?;
     let (steps, results) = single_assignment(&exported)?;
-    let place = intermediates.iter().enumerate().map(|(k, (symbol, _))| (*symbol, k)).collect();
     let mut builder = Builder {
         arguments: &arguments,
         constants: &constants,
         steps: &steps,
-        intermediates,
         results: &results,
         place,
         memo: vec![None; steps.len()],
@@ -101,7 +101,7 @@ fn translate(
         known: HashMap::new(),
     };
     let roots: Vec<NodeId> =
-        results[intermediates.len()..].iter().map(|&operand| builder.operand(operand)).collect();
+        results[first_output..].iter().map(|&operand| builder.operand(operand)).collect();
     Ok(schedule(&builder.nodes, &roots))
 }
 
@@ -185,9 +185,9 @@ struct Builder<'a> {
     arguments: &'a [Symbol],
     constants: &'a [(i64, i64)],
     steps: &'a [Step],
-    intermediates: &'a [(Symbol, Meaning)],
     results: &'a [Operand],
-    place: HashMap<Symbol, usize>,
+    /// What each intermediate is, and which result is the first of its polynomials.
+    place: HashMap<Symbol, (&'a Meaning, usize)>,
     memo: Vec<Option<NodeId>>,
     nodes: Vec<Node>,
     known: HashMap<Node, NodeId>,
@@ -204,12 +204,14 @@ impl Builder<'_> {
                 let symbol = self.arguments[k];
                 match self.place.get(&symbol) {
                     None => self.push(Node::Input(symbol)),
-                    Some(&place) => {
+                    Some(&(meaning, place)) => {
                         let inner = self.operand(self.results[place]);
-                        match &self.intermediates[place].1 {
+                        match meaning {
                             Meaning::Polynomial(_) => inner,
-                            Meaning::Function(function, _) => {
-                                self.push(Node::Apply(*function, inner))
+                            Meaning::Function(function, arguments) => {
+                                let second = (arguments.len() > 1)
+                                    .then(|| self.operand(self.results[place + 1]));
+                                self.push(Node::Apply(*function, inner, second))
                             }
                         }
                     }
@@ -361,7 +363,7 @@ fn visit(
         Node::Subtract(a, b) => Node::Subtract(argument(a), argument(b)),
         Node::Multiply(a, b) => Node::Multiply(argument(a), argument(b)),
         Node::Negate(a) => Node::Negate(argument(a)),
-        Node::Apply(function, a) => Node::Apply(function, argument(a)),
+        Node::Apply(function, a, b) => Node::Apply(function, argument(a), b.map(argument)),
     };
     ordered.push(node);
     place[id] = Some(ordered.len() - 1);

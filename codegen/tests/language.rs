@@ -103,6 +103,7 @@ impl<'a> Reader<'a> {
                     ("sqrt", [Value::Scalar(a)]) => Value::Scalar(a.sqrt()),
                     ("sin", [Value::Scalar(a)]) => Value::Scalar(a.sin()),
                     ("cos", [Value::Scalar(a)]) => Value::Scalar(a.cos()),
+                    ("atan2", [Value::Scalar(y), Value::Scalar(x)]) => Value::Scalar(y.atan2(*x)),
                     other => panic!("{other:?} was accepted"),
                 }
             }
