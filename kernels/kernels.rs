@@ -7,6 +7,9 @@ include!("bushing_translation.rs");
 include!("displacement.rs");
 include!("distance.rs");
 include!("euler_parameters.rs");
+include!("force_in_body.rs");
+include!("moment_in_body.rs");
+include!("moment_in_space.rs");
 include!("orthogonal_1.rs");
 include!("orthogonal_2.rs");
 include!("patch_height.rs");
@@ -16,7 +19,8 @@ include!("rotation.rs");
 include!("spherical.rs");
 include!("squared_distance.rs");
 include!("torsion.rs");
-/// The relations, one for each file of `constraints/`.
+include!("rigid_body.rs");
+/// The relations, one for each file of `constraints/` that states a residual.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum RelationKind {
     /// Tait–Bryan angles in a bushing: (a, b, c) = 0, Bᵀ A_iᵀ A_j B_j = R_x(a) R_y(b) R_z(c), B = [x_i y_i z_i], B_j = [x_j y_j z_j]
@@ -31,6 +35,12 @@ pub enum RelationKind {
     Distance,
     /// Normalisation of Euler parameters: pᵀp − 1 = 0
     EulerParameters,
+    /// Force fixed in the body: a virtual displacement (A a)ᵀ (δr + δθ × A s); the multiplier is the force along −A a at the point s
+    ForceInBody,
+    /// Moment fixed in the body: a virtual rotation (A a)ᵀ δθ; the multiplier is the moment about −A a
+    MomentInBody,
+    /// Moment fixed in space: a virtual rotation aᵀ δθ; the multiplier is the moment about −a
+    MomentInSpace,
     /// Orthogonal, type 1: (A_i u_i)ᵀ (A_j v_j) = 0
     Orthogonal1,
     /// Orthogonal, type 2: (A_i a_i)ᵀ (r_j + A_j s_j − r_i − A_i s_i) = 0
@@ -51,7 +61,7 @@ pub enum RelationKind {
     Torsion,
 }
 impl RelationKind {
-    /// All relations in the order of their names.
+    /// All of them in the order of their names.
     pub const ALL: &'static [Self] = &[
         Self::BushingAngles,
         Self::BushingAnglesTorque,
@@ -59,6 +69,9 @@ impl RelationKind {
         Self::Displacement,
         Self::Distance,
         Self::EulerParameters,
+        Self::ForceInBody,
+        Self::MomentInBody,
+        Self::MomentInSpace,
         Self::Orthogonal1,
         Self::Orthogonal2,
         Self::PatchHeight,
@@ -69,11 +82,11 @@ impl RelationKind {
         Self::SquaredDistance,
         Self::Torsion,
     ];
-    /// The name of the file that states the relation, without its ending.
+    /// The name of the file, without its ending.
     pub fn name(self) -> &'static str {
         self.shape().name
     }
-    /// The relation that the file of this name states.
+    /// What the file of this name states.
     pub fn from_name(name: &str) -> Option<Self> {
         match name {
             "bushing_angles" => Some(Self::BushingAngles),
@@ -82,6 +95,9 @@ impl RelationKind {
             "displacement" => Some(Self::Displacement),
             "distance" => Some(Self::Distance),
             "euler_parameters" => Some(Self::EulerParameters),
+            "force_in_body" => Some(Self::ForceInBody),
+            "moment_in_body" => Some(Self::MomentInBody),
+            "moment_in_space" => Some(Self::MomentInSpace),
             "orthogonal_1" => Some(Self::Orthogonal1),
             "orthogonal_2" => Some(Self::Orthogonal2),
             "patch_height" => Some(Self::PatchHeight),
@@ -103,6 +119,9 @@ impl RelationKind {
             Self::Displacement => &displacement::SHAPE,
             Self::Distance => &distance::SHAPE,
             Self::EulerParameters => &euler_parameters::SHAPE,
+            Self::ForceInBody => &force_in_body::SHAPE,
+            Self::MomentInBody => &moment_in_body::SHAPE,
+            Self::MomentInSpace => &moment_in_space::SHAPE,
             Self::Orthogonal1 => &orthogonal_1::SHAPE,
             Self::Orthogonal2 => &orthogonal_2::SHAPE,
             Self::PatchHeight => &patch_height::SHAPE,
@@ -123,6 +142,9 @@ impl RelationKind {
             Self::Displacement => &displacement::Displacement,
             Self::Distance => &distance::Distance,
             Self::EulerParameters => &euler_parameters::EulerParameters,
+            Self::ForceInBody => &force_in_body::ForceInBody,
+            Self::MomentInBody => &moment_in_body::MomentInBody,
+            Self::MomentInSpace => &moment_in_space::MomentInSpace,
             Self::Orthogonal1 => &orthogonal_1::Orthogonal1,
             Self::Orthogonal2 => &orthogonal_2::Orthogonal2,
             Self::PatchHeight => &patch_height::PatchHeight,
@@ -132,6 +154,39 @@ impl RelationKind {
             Self::Spherical => &spherical::Spherical,
             Self::SquaredDistance => &squared_distance::SquaredDistance,
             Self::Torsion => &torsion::Torsion,
+        }
+    }
+}
+/// The kinetic energies, one for each file of `constraints/` that states one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum EnergyKind {
+    /// Rigid body: T = ½ m |ṙ + A (ω′ × s)|² + ½ ω′ᵀ J ω′, J = [Jxx Jxy Jxz; Jxy Jyy Jyz; Jxz Jyz Jzz]
+    RigidBody,
+}
+impl EnergyKind {
+    /// All of them in the order of their names.
+    pub const ALL: &'static [Self] = &[Self::RigidBody];
+    /// The name of the file, without its ending.
+    pub fn name(self) -> &'static str {
+        self.shape().name
+    }
+    /// What the file of this name states.
+    pub fn from_name(name: &str) -> Option<Self> {
+        match name {
+            "rigid_body" => Some(Self::RigidBody),
+            _ => None,
+        }
+    }
+    /// Patterns, parameters and operation counts.
+    pub fn shape(self) -> &'static EnergyShape {
+        match self {
+            Self::RigidBody => &rigid_body::SHAPE,
+        }
+    }
+    /// The kernels for one type of number.
+    pub fn kernels<S: Scalar>(self) -> &'static dyn KineticEnergy<S> {
+        match self {
+            Self::RigidBody => &rigid_body::RigidBody,
         }
     }
 }

@@ -5,6 +5,7 @@
 
 #![allow(clippy::too_many_arguments, reason = "a kernel has one argument for each array")]
 
+use crate::energy::{EnergyShape, KineticEnergy, Motion};
 use crate::relation::{
     Coordinates, Operations, Parameter, Place, Relation, Shape, exact, exact_mut,
 };

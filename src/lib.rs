@@ -47,6 +47,7 @@
 //! for that. Without it the committed kernels, the same text, are compiled.
 
 pub mod assembly;
+pub mod energy;
 pub mod factors;
 pub mod kernels;
 pub mod mechanism;

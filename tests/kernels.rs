@@ -1,44 +1,25 @@
 //! The generated kernels against dual numbers and against residuals written independently.
 
+#[path = "common/by_hand.rs"]
+mod by_hand;
 #[path = "common/dual.rs"]
 mod dual;
+#[path = "common/matrices.rs"]
+mod matrices;
 
+use by_hand::{applied, force};
 use dual::{First, Foreign, Second, State, dot, rotation_matrix, times};
 use hardpoint::kernels::RelationKind;
 use hardpoint::relation::{Place, Shape};
 use hardpoint::scalar::{Dual, Scalar};
+use matrices::{assert_close, columns, dense};
 use num_dual::{Dual64, HyperDual64};
 
 const STATES: usize = 20;
-const TOLERANCE: f64 = 1e-12;
-
-/// A dense matrix from the entries of a pattern.
-fn dense(pattern: &[(u8, u8)], values: &[f64], rows: usize, columns: usize) -> Vec<Vec<f64>> {
-    let mut matrix = vec![vec![0.0; columns]; rows];
-    for (&(row, column), &value) in pattern.iter().zip(values) {
-        matrix[usize::from(row)][usize::from(column)] = value;
-    }
-    matrix
-}
-
-/// Compares matrices relative to the largest entry of the expected one.
-fn assert_close(what: &str, found: &[Vec<f64>], expected: &[Vec<f64>]) {
-    let scale = expected.iter().flatten().fold(1.0_f64, |scale, value| scale.max(value.abs()));
-    for (row, (found, expected)) in found.iter().zip(expected).enumerate() {
-        for (column, (found, expected)) in found.iter().zip(expected).enumerate() {
-            let difference = (found - expected).abs();
-            assert!(
-                difference <= TOLERANCE * scale,
-                "{what}[{row}, {column}]: symbolic {found}, dual {expected}, \
-                 difference {difference:e}"
-            );
-        }
-    }
-}
-
 struct Outputs {
     phi: Vec<f64>,
     phi_q: Vec<f64>,
+    work: Vec<f64>,
     curvature: Vec<f64>,
     phi_h: Vec<f64>,
     force_h: Vec<f64>,
@@ -74,13 +55,15 @@ fn outputs(kind: RelationKind, state: &State) -> Outputs {
     kernels.residual(place, &mut phi_alone);
     let mut phi_with = vector(shape.equations);
     let mut phi_q_with = vector(shape.jacobian.len());
-    kernels.jacobian(place, &mut phi_with, &mut phi_q_with, &mut work);
+    let mut work_with = vector(shape.work.len());
+    kernels.jacobian(place, &mut phi_with, &mut phi_q_with, &mut work_with);
     let close = |a: &[f64], b: &[f64]| {
         a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-14 * (1.0 + b.abs()))
     };
-    assert!(close(&phi_alone, &phi) && close(&phi_with, &phi) && close(&phi_q_with, &phi_q));
+    assert!(close(&phi_alone, &phi) && close(&phi_with, &phi));
+    assert!(close(&phi_q_with, &phi_q) && close(&work_with, &work));
 
-    Outputs { phi, phi_q, curvature, phi_h, force_h, rate_q, rate_h }
+    Outputs { phi, phi_q, work, curvature, phi_h, force_h, rate_q, rate_h }
 }
 
 /// Φ of the residual program on another number type, from functions that seed it.
@@ -136,13 +119,6 @@ fn second(kind: RelationKind, state: &State, a: Direction<'_>, b: Direction<'_>)
     residual(kind, state, q, h).iter().map(|phi| phi.0.eps1eps2).collect()
 }
 
-/// A matrix from its columns.
-fn columns(count: usize, column: impl Fn(usize) -> Vec<f64>) -> Vec<Vec<f64>> {
-    let columns: Vec<_> = (0..count).map(column).collect();
-    let rows = columns.first().map_or(0, Vec::len);
-    (0..rows).map(|row| columns.iter().map(|column| column[row]).collect()).collect()
-}
-
 fn for_each_state(mut test: impl FnMut(RelationKind, &'static Shape, &State)) {
     for &kind in RelationKind::ALL {
         let mut rng = fastrand::Rng::with_seed(20_261_121);
@@ -169,6 +145,9 @@ fn jacobian_and_design_equal_dual_numbers() {
 #[test]
 fn curvature_equals_second_order_dual_numbers_and_is_symmetric() {
     for_each_state(|kind, shape, state| {
+        if shape.has_work() {
+            return;
+        }
         let found = outputs(kind, state);
         assert!(shape.curvature.iter().all(|(row, column)| row >= column), "{}", shape.name);
         let mut curvature = dense(shape.curvature, &found.curvature, 14, 14);
@@ -192,6 +171,9 @@ fn curvature_equals_second_order_dual_numbers_and_is_symmetric() {
 #[test]
 fn force_design_equals_second_order_dual_numbers() {
     for_each_state(|kind, shape, state| {
+        if shape.has_work() {
+            return;
+        }
         let found = outputs(kind, state);
         let parameters = shape.parameter_count();
         let expected = columns(parameters, |b| {
@@ -204,6 +186,41 @@ fn force_design_equals_second_order_dual_numbers() {
         });
         let force_h = dense(shape.force_design, &found.force_h, 14, parameters);
         assert_close(&format!("{} (Φ_qᵀλ)_h", shape.name), &force_h, &expected);
+    });
+}
+
+/// Wᵀλ and its derivatives where the relation says itself what its force works on.
+#[test]
+fn work_equals_dual_numbers_of_forces_written_by_hand() {
+    for_each_state(|kind, shape, state| {
+        if !shape.has_work() {
+            return;
+        }
+        let found = outputs(kind, state);
+        let (rows, parameters) = (shape.equations, shape.parameter_count());
+        let w = dense(shape.work, &found.work, rows, 14);
+        let expected: Vec<Vec<f64>> = (0..rows)
+            .map(|row| {
+                let mut lambda = vec![0.0; rows];
+                lambda[row] = 1.0;
+                force(&applied(kind, &state.q, &state.h, &lambda), &state.q).to_vec()
+            })
+            .collect();
+        assert_close(&format!("{} W", shape.name), &w, &expected);
+
+        let derivative = |direction: Direction<'_>| -> Vec<f64> {
+            let q: [Dual; 14] = std::array::from_fn(|k| Dual::new(state.q[k], direction.q(k)));
+            let h: Vec<Dual> =
+                (0..parameters).map(|k| Dual::new(state.h[k], direction.h(k))).collect();
+            let lambda: Vec<Dual> = state.lambda.iter().map(|&l| Dual::from_f64(l)).collect();
+            force(&applied(kind, &q, &h, &lambda), &q).iter().map(|f| f.derivative).collect()
+        };
+        let force_q = dense(shape.curvature, &found.curvature, 14, 14);
+        let expected = columns(14, |k| derivative(Direction::Coordinate(k)));
+        assert_close(&format!("{} (Wᵀλ)_q", shape.name), &force_q, &expected);
+        let force_h = dense(shape.force_design, &found.force_h, 14, parameters);
+        let expected = columns(parameters, |k| derivative(Direction::Parameter(k)));
+        assert_close(&format!("{} (Wᵀλ)_h", shape.name), &force_h, &expected);
     });
 }
 
@@ -243,59 +260,11 @@ fn kernels_run_on_dual_numbers() {
     });
 }
 
-/// Residuals written by hand from the equations of the books, with the textbook rotation matrix.
-fn by_hand(kind: RelationKind, state: &State) -> Vec<f64> {
-    let (q, h) = (&state.q, &state.h);
-    let a = [rotation_matrix(&q[3..7]), rotation_matrix(&q[10..14])];
-    let point = |body: usize, s: &[f64]| {
-        let turned = times(&a[body], s);
-        let r = &q[7 * body..7 * body + 3];
-        [r[0] + turned[0], r[1] + turned[1], r[2] + turned[2]]
-    };
-    let between = |from: &[f64], to: &[f64]| {
-        let (p, q) = (point(0, from), point(1, to));
-        [q[0] - p[0], q[1] - p[1], q[2] - p[2]]
-    };
-    match kind {
-        RelationKind::Spherical => between(&h[0..3], &h[3..6]).to_vec(),
-        RelationKind::Orthogonal1 => vec![dot(&times(&a[0], &h[0..3]), &times(&a[1], &h[3..6]))],
-        RelationKind::Orthogonal2 => {
-            vec![dot(&times(&a[0], &h[0..3]), &between(&h[3..6], &h[6..9]))]
-        }
-        RelationKind::EulerParameters => vec![dot(&q[3..7], &q[3..7]) - 1.0],
-        RelationKind::Distance => {
-            let d = between(&h[0..3], &h[3..6]);
-            vec![dot(&d, &d).sqrt() - h[6]]
-        }
-        RelationKind::SquaredDistance => {
-            let d = between(&h[0..3], &h[3..6]);
-            vec![dot(&d, &d) - h[6] * h[6]]
-        }
-        RelationKind::Displacement => {
-            vec![dot(&times(&a[0], &h[0..3]), &between(&h[3..6], &h[6..9])) - h[9]]
-        }
-        RelationKind::Rotation => {
-            let w = times(&a[1], &h[6..9]);
-            let (cosine, sine) =
-                (dot(&times(&a[0], &h[0..3]), &w), dot(&times(&a[0], &h[3..6]), &w));
-            vec![sine * h[9].cos() - cosine * h[9].sin()]
-        }
-        RelationKind::PointHeight => vec![point(0, &h[0..3])[2] - h[3]],
-        RelationKind::PatchHeight => {
-            // The lowest point of the disc, found along the steepest descent in its plane.
-            let (center, s) = (point(0, &h[0..3]), times(&a[0], &h[3..6]));
-            let down = [s[2] * s[0], s[2] * s[1], s[2] * s[2] - 1.0];
-            let length = dot(&down, &down).sqrt();
-            vec![center[2] + h[6] * down[2] / length - h[7]]
-        }
-    }
-}
-
 #[test]
 fn residuals_equal_those_written_by_hand() {
     for_each_state(|kind, shape, state| {
         let found = outputs(kind, state).phi;
-        for (found, expected) in found.iter().zip(by_hand(kind, state)) {
+        for (found, expected) in found.iter().zip(by_hand::residual(kind, state)) {
             let difference = (found - expected).abs();
             assert!(difference <= 1e-13, "{}: {found} by hand {expected}", shape.name);
         }
@@ -324,12 +293,16 @@ fn moved(state: &State, p: [f64; 4], shift: [f64; 3]) -> State {
 }
 
 /// Relations between bodies do not see a rigid motion of the whole; relations to
-/// the ground do not see a horizontal shift and a turn about the vertical.
+/// the ground do not see a horizontal shift and a turn about the vertical, unless
+/// they have a direction of the ground among their parameters.
 /// The spherical joint is a vector in the frame of the ground, so it turns along.
 #[test]
 fn rigid_motion_of_the_whole_leaves_residuals() {
     let mut rng = fastrand::Rng::with_seed(7);
     for_each_state(|kind, shape, state| {
+        if shape.parameters.iter().any(|parameter| parameter.frame == "ground") {
+            return;
+        }
         let mut p: [f64; 4] = std::array::from_fn(|_| rng.f64() - 0.5);
         let mut shift: [f64; 3] = std::array::from_fn(|_| rng.f64() - 0.5);
         if shape.bodies == 1 {
@@ -356,9 +329,21 @@ fn no_kernel_is_singular_at_the_design_position() {
         for body in [3, 10] {
             state.q[body..body + 4].copy_from_slice(&[1.0, 0.0, 0.0, 0.0]);
         }
-        let Outputs { phi, phi_q, curvature, phi_h, force_h, rate_q, rate_h } =
+        // Frames and directions lie on each other there, and angles are zero.
+        for parameter in shape.parameters {
+            let axis = match parameter.name {
+                "x_i" | "x_j" | "u_i" | "u_j" => 0,
+                "y_i" | "y_j" | "w_i" => 1,
+                "z_i" | "z_j" => 2,
+                _ => continue,
+            };
+            for k in 0..3 {
+                state.h[parameter.offset + k] = f64::from(u8::from(k == axis));
+            }
+        }
+        let Outputs { phi, phi_q, work, curvature, phi_h, force_h, rate_q, rate_h } =
             outputs(kind, &state);
-        for output in [phi, phi_q, curvature, phi_h, force_h, rate_q, rate_h] {
+        for output in [phi, phi_q, work, curvature, phi_h, force_h, rate_q, rate_h] {
             assert!(output.iter().all(|value| value.is_finite()), "{}", shape.name);
         }
     });

@@ -64,7 +64,7 @@ struct Name {
 pub enum Variable {
     /// One input.
     Input(Symbol),
-    /// All coordinates at once, along the velocities v.
+    /// Time: all coordinates at once, along the velocities v, and these along the accelerations.
     Motion,
 }
 
@@ -195,10 +195,8 @@ impl Algebra {
                 }
             },
             Meaning::Function(function, arguments) => {
-                let inner: Vec<Atom> = arguments
-                    .iter()
-                    .map(|argument| self.derivative(argument, variable))
-                    .collect();
+                let inner: Vec<Atom> =
+                    arguments.iter().map(|argument| self.derivative(argument, variable)).collect();
                 if inner.iter().all(Atom::is_zero) {
                     Atom::zero()
                 } else {
@@ -217,12 +215,14 @@ impl Algebra {
         match variable {
             Variable::Input(input) if input == symbol => Atom::one(),
             Variable::Input(_) => Atom::zero(),
-            Variable::Motion => self
-                .alphabet
-                .coordinates
-                .iter()
-                .position(|&coordinate| coordinate == symbol)
-                .map_or_else(Atom::zero, |k| Atom::var(self.alphabet.velocities[k])),
+            Variable::Motion => {
+                let Alphabet { coordinates, velocities, accelerations, .. } = &self.alphabet;
+                let rates = coordinates.iter().zip(velocities);
+                let mut rates = rates.chain(velocities.iter().zip(accelerations));
+                rates
+                    .find(|(known, _)| **known == symbol)
+                    .map_or_else(Atom::zero, |(_, &rate)| Atom::var(rate))
+            }
         }
     }
 
@@ -325,15 +325,28 @@ impl Algebra {
         number && (flat.is_zero() || is_negative(&flat))
     }
 
-    /// Whether `atom` depends on a virtual motion.
-    pub fn has_virtual_motion(&self, atom: &Atom) -> bool {
+    /// Whether `atom` is written with one of these inputs, however deep inside.
+    pub fn depends_on(&self, atom: &Atom, inputs: &[Symbol]) -> bool {
         symbols(atom).into_iter().any(|symbol| match self.index.get(&symbol) {
-            None => self.alphabet.virtual_motions.contains(&symbol),
+            None => inputs.contains(&symbol),
             Some(&k) => {
                 let mut parts = self.names[k].meaning.polynomials().iter();
-                parts.any(|part| self.has_virtual_motion(part))
+                parts.any(|part| self.depends_on(part, inputs))
             }
         })
+    }
+
+    /// The derivative of `atom` by each variable, from what [`Self::adjoints`] contracts.
+    pub fn gradient(&mut self, atom: &Atom, variables: &[Variable]) -> Vec<Atom> {
+        let adjoints = self.adjoints(atom);
+        let mut entry = |variable| {
+            let terms: Vec<_> = adjoints
+                .iter()
+                .map(|(symbol, adjoint)| adjoint * self.symbol_derivative(*symbol, variable))
+                .collect();
+            Atom::add_many(terms)
+        };
+        variables.iter().map(|&variable| entry(variable)).collect()
     }
 }
 

@@ -29,6 +29,8 @@ pub struct Alphabet {
     /// Virtual motions δq of both bodies.
     pub virtual_motions: Vec<Symbol>,
     pub(crate) intermediates: Vec<Symbol>,
+    /// Accelerations a of the one body of an energy.
+    pub accelerations: Vec<Symbol>,
 }
 
 impl Alphabet {
@@ -44,6 +46,7 @@ impl Alphabet {
             velocities: letters("v", COORDINATES),
             virtual_motions: letters("d", COORDINATES),
             intermediates: letters("t", INTERMEDIATES),
+            accelerations: letters("a", COORDINATES / 2),
         }
     }
 }

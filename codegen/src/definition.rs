@@ -19,6 +19,30 @@ pub struct Text {
     pub span: Range<usize>,
 }
 
+/// What a file states.
+#[derive(Clone, Debug)]
+pub enum Statement {
+    /// A relation.
+    Relation {
+        /// Φ(q; h).
+        residual: Text,
+        /// The virtual motion that the force works on, linear in `delta_*`.
+        work: Option<Text>,
+    },
+    /// The kinetic energy T(q, q̇; h) of a body.
+    Energy(Text),
+}
+
+impl Statement {
+    /// The expression that every file of its kind has.
+    pub fn text(&self) -> &Text {
+        match self {
+            Self::Relation { residual, .. } => residual,
+            Self::Energy(energy) => energy,
+        }
+    }
+}
+
 /// A relation file: names and texts, unchecked.
 #[derive(Clone, Debug)]
 pub struct Definition {
@@ -28,10 +52,8 @@ pub struct Definition {
     pub equation: Text,
     /// Where the equation comes from.
     pub reference: Text,
-    /// Φ(q; h).
-    pub residual: Text,
-    /// The virtual motion that the force works on, linear in `delta_*`.
-    pub work: Option<Text>,
+    /// What it states.
+    pub statement: Statement,
     /// Named intermediate expressions, in order: name, expression.
     pub definitions: Vec<(Text, Text)>,
     /// Parameters h, in order.
@@ -90,6 +112,7 @@ impl Reader<'_> {
             "reference",
             "residual",
             "work",
+            "energy",
             "definitions",
             "parameters",
         ];
@@ -109,9 +132,9 @@ impl Reader<'_> {
                 "begin the file with `format = 1`",
             ),
         }
-        let [title, equation, reference, residual] = ["title", "equation", "reference", "residual"]
+        let [title, equation, reference] = ["title", "equation", "reference"]
             .map(|key| self.required(table, key, &whole, "the file"));
-        let work = table.get("work").and_then(|value| self.string(value, "work"));
+        let statement = self.statement(table, &whole);
         let definitions = self.table(table, "definitions").map_or_else(Vec::new, |table| {
             table
                 .iter()
@@ -128,11 +151,28 @@ impl Reader<'_> {
             title: title?,
             equation: equation?,
             reference: reference?,
-            residual: residual?,
-            work,
+            statement: statement?,
             definitions,
             parameters,
         })
+    }
+
+    fn statement(&mut self, table: &Table<'_>, whole: &Range<usize>) -> Option<Statement> {
+        if !table.contains_key("energy") {
+            let residual = self.required(table, "residual", whole, "the file");
+            let work = table.get("work").and_then(|value| self.string(value, "work"));
+            return Some(Statement::Relation { residual: residual?, work });
+        }
+        for key in ["residual", "work"] {
+            if let Some(value) = table.get(key) {
+                self.report(
+                    value.span(),
+                    format!("a file with `energy` has no `{key}`"),
+                    "state the kinetic energy of a body and a relation in two files",
+                );
+            }
+        }
+        self.required(table, "energy", whole, "the file").map(Statement::Energy)
     }
 
     fn parameter(

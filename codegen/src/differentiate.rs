@@ -37,8 +37,10 @@ pub struct Derived {
 /// # Errors
 /// What makes its equations unusable.
 pub fn differentiate(relation: &Relation, alphabet: &Alphabet) -> Result<Derived, Vec<Flaw>> {
-    let Lowered { algebra, residual, work } = lower(relation, alphabet)?;
-    derive(relation, algebra, residual, work.as_deref())
+    let expressions: Vec<_> = std::iter::once(&relation.residual).chain(&relation.work).collect();
+    let Lowered { algebra, mut expressions } = lower(&relation.heading, &expressions, alphabet)?;
+    let work = relation.work.as_ref().and_then(|_| expressions.pop());
+    derive(relation, algebra, expressions.concat(), work.as_deref())
 }
 
 fn derive(
@@ -49,8 +51,7 @@ fn derive(
 ) -> Result<Derived, Vec<Flaw>> {
     let alphabet = algebra.alphabet.clone();
     let coordinates = inputs(&alphabet.coordinates[..7 * relation.bodies]);
-    let parameters: usize = relation.parameters.iter().map(|parameter| parameter.size).sum();
-    let parameters = inputs(&alphabet.parameters[..parameters]);
+    let parameters = inputs(&alphabet.parameters[..relation.heading.parameter_count()]);
     let rows = residual.len();
 
     let jacobian = rows_by_columns(&mut algebra, &residual, &coordinates);
@@ -64,15 +65,7 @@ fn derive(
     let force: Vec<Atom> = match &work_rows {
         None => {
             let energy = contract(&residual, &alphabet.multipliers);
-            let adjoints = algebra.adjoints(&energy);
-            let mut entry = |variable| {
-                let terms: Vec<_> = adjoints
-                    .iter()
-                    .map(|(symbol, adjoint)| adjoint * algebra.symbol_derivative(*symbol, variable))
-                    .collect();
-                Atom::add_many(terms)
-            };
-            coordinates.iter().map(|&variable| entry(variable)).collect()
+            algebra.gradient(&energy, &coordinates)
         }
         Some(entries) => (0..coordinates.len())
             .map(|column| {
@@ -106,7 +99,7 @@ fn derive(
     })
 }
 
-fn inputs(symbols: &[Symbol]) -> Vec<Variable> {
+pub(crate) fn inputs(symbols: &[Symbol]) -> Vec<Variable> {
     symbols.iter().map(|&symbol| Variable::Input(symbol)).collect()
 }
 
@@ -114,7 +107,11 @@ fn contract(rows: &[Atom], multipliers: &[Symbol]) -> Atom {
     Atom::add_many(rows.iter().zip(multipliers).map(|(row, &lambda)| row * Atom::var(lambda)))
 }
 
-fn rows_by_columns(algebra: &mut Algebra, rows: &[Atom], columns: &[Variable]) -> Entries {
+pub(crate) fn rows_by_columns(
+    algebra: &mut Algebra,
+    rows: &[Atom],
+    columns: &[Variable],
+) -> Entries {
     let mut entries = Vec::new();
     for (row, expression) in rows.iter().enumerate() {
         for (column, &variable) in columns.iter().enumerate() {
@@ -135,16 +132,18 @@ fn check(
 ) -> Result<(), Vec<Flaw>> {
     let mut flaws = Vec::new();
     for row in 0..rows {
-        if jacobian.iter().all(|entry| entry.0 != row) {
-            flaws.push(Flaw::ConstantEquation(row));
-        }
-        if let Some(work) = work {
-            let mut entries = work.iter().filter(|entry| entry.0 == row).peekable();
-            if entries.peek().is_none() {
-                flaws.push(Flaw::ConstantWork(row));
-            } else if entries.any(|entry| algebra.has_virtual_motion(&entry.2)) {
-                flaws.push(Flaw::NonlinearWork(row));
+        let Some(work) = work else {
+            if jacobian.iter().all(|entry| entry.0 != row) {
+                flaws.push(Flaw::ConstantEquation(row));
             }
+            continue;
+        };
+        let mut entries = work.iter().filter(|entry| entry.0 == row).peekable();
+        let virtual_motions = &algebra.alphabet.virtual_motions;
+        if entries.peek().is_none() {
+            flaws.push(Flaw::ConstantWork(row));
+        } else if entries.any(|entry| algebra.depends_on(&entry.2, virtual_motions)) {
+            flaws.push(Flaw::NonlinearWork(row));
         }
     }
     if flaws.is_empty() { Ok(()) } else { Err(flaws) }

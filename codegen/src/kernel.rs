@@ -100,10 +100,10 @@ impl Kernel {
     }
 }
 
-fn values(entries: &Entries) -> impl Iterator<Item = &Atom> {
+pub(crate) fn values(entries: &Entries) -> impl Iterator<Item = &Atom> {
     entries.iter().map(|(_, _, value)| value)
 }
 
-fn pattern(entries: &Entries) -> Pattern {
+pub(crate) fn pattern(entries: &Entries) -> Pattern {
     entries.iter().map(|&(row, column, _)| (row, column)).collect()
 }

@@ -1,7 +1,8 @@
 //! Turns equations written as text into differentiated, specialised Rust kernels.
 //!
-//! A relation file states equations Φ(q; h) = 0 between two bodies. The stages
-//! of its way to Rust are the modules of this crate, in this order:
+//! A relation file states equations Φ(q; h) = 0 between two bodies, or the kinetic
+//! energy T(q, q̇; h) of one. The stages of its way to Rust are the modules of this
+//! crate, in this order:
 //!
 //! | stage | module |
 //! |---|---|
@@ -11,8 +12,8 @@
 //! | names, shapes and units checked | [`validate`], `quantity`, [`mod@unit`] |
 //! | expressions → scalars over named intermediates | [`lower`], [`algebra`], [`alphabet`] |
 //! | scalars → derivatives | [`differentiate`] |
-//! | derivatives → straight-line programs | [`program`], [`translate`], [`kernel`] |
-//! | programs → Rust tokens → files | [`emit`], `body`, [`render`] |
+//! | derivatives → straight-line programs | [`program`], [`translate`], [`kernel`], [`energy`] |
+//! | programs → Rust tokens → files | [`emit`], [`emit_relation`], [`emit_energy`], `body`, [`render`] |
 //!
 //! All of it is pure except [`session`], the one door to the computer algebra
 //! system, and the reading and writing of files.
@@ -23,6 +24,9 @@ mod body;
 pub mod definition;
 pub mod differentiate;
 pub mod emit;
+pub mod emit_energy;
+pub mod emit_relation;
+pub mod energy;
 pub mod expression;
 pub mod kernel;
 pub mod lower;
@@ -40,18 +44,21 @@ use std::path::Path;
 use std::{fmt, io};
 
 use alphabet::Alphabet;
+use energy::EnergyKernel;
 use kernel::{Kernel, KernelError};
 use lower::Flaw;
 use render::File;
 use source::{Mistake, Mistakes, Source};
-use validate::Relation;
+use validate::Checked;
 
 /// Kernels for a set of relation files.
 #[derive(Clone, Debug)]
 pub struct Generated {
     /// The relations in the order of their names.
     pub kernels: Vec<Kernel>,
-    /// One file for each relation, then [`render::INDEX`].
+    /// The kinetic energies in the order of their names.
+    pub energies: Vec<EnergyKernel>,
+    /// One file for each relation, then for each energy, then [`render::INDEX`].
     pub files: Vec<File>,
 }
 
@@ -117,39 +124,39 @@ pub fn generate_folder(folder: &Path) -> Result<Generated, Error> {
 /// All mistakes in all files, or why there is no session.
 pub fn generate(mut sources: Vec<Source>) -> Result<Generated, Error> {
     sources.sort_by(|a, b| a.name.cmp(&b.name));
-    let mut relations = Vec::new();
+    let mut checked = Vec::new();
     let mut wrong = Vec::new();
     for source in sources {
         match check(&source) {
-            Ok(relation) => relations.push((source, relation)),
+            Ok(file) => checked.push((source, file)),
             Err(mistakes) => wrong.push(Mistakes { source, mistakes }),
         }
     }
-    wrong.extend(one_type_twice(&mut relations));
+    wrong.extend(one_type_twice(&mut checked));
     // Mistakes that only differentiation finds are told together with the others.
-    let (generated, flawed) = session::run(move || derive(relations))?;
+    let (generated, flawed) = session::run(move || derive(checked))?;
     wrong.extend(flawed);
     wrong.sort_by(|a, b| a.source.path.cmp(&b.source.path));
     if wrong.is_empty() { Ok(generated) } else { Err(Error::Mistakes(wrong)) }
 }
 
-/// Reads and checks one relation file, as far as that goes without algebra.
+/// Reads and checks one file, as far as that goes without algebra.
 ///
 /// # Errors
 /// All its mistakes.
-pub fn check(source: &Source) -> Result<Relation, Vec<Mistake>> {
+pub fn check(source: &Source) -> Result<Checked, Vec<Mistake>> {
     match definition::read(source) {
         (Some(definition), mistakes) => validate::check(source, &definition, mistakes),
         (None, mistakes) => Err(mistakes),
     }
 }
 
-/// Takes out the relations whose type another one has already: `arm_1` and `arm1` are both `Arm1`.
-fn one_type_twice(relations: &mut Vec<(Source, Relation)>) -> Vec<Mistakes> {
+/// Takes out the files whose type another one has already: `arm_1` and `arm1` are both `Arm1`.
+fn one_type_twice(files: &mut Vec<(Source, Checked)>) -> Vec<Mistakes> {
     let mut taken: HashMap<String, String> = HashMap::new();
     let mut wrong = Vec::new();
-    relations.retain(|(source, relation)| {
-        let type_name = emit::type_name(&relation.name);
+    files.retain(|(source, checked)| {
+        let type_name = emit::type_name(&checked.heading().name);
         let Some(first) = taken.get(&type_name) else {
             taken.insert(type_name, source.name.clone());
             return true;
@@ -162,36 +169,52 @@ fn one_type_twice(relations: &mut Vec<(Source, Relation)>) -> Vec<Mistakes> {
     wrong
 }
 
-fn derive(relations: Vec<(Source, Relation)>) -> (Generated, Vec<Mistakes>) {
+fn derive(checked: Vec<(Source, Checked)>) -> (Generated, Vec<Mistakes>) {
     let alphabet = Alphabet::register();
     let mut kernels = Vec::new();
+    let mut energies = Vec::new();
     let mut wrong = Vec::new();
-    for (source, relation) in relations {
-        match Kernel::new(&relation, &alphabet) {
-            Ok(kernel) => kernels.push(kernel),
-            Err(error) => {
-                wrong.push(Mistakes { source, mistakes: mistakes(&relation, &error) });
+    for (source, checked) in checked {
+        let done = match &checked {
+            Checked::Relation(relation) => {
+                Kernel::new(relation, &alphabet).map(|kernel| kernels.push(kernel))
             }
+            Checked::Energy(energy) => {
+                EnergyKernel::new(energy, &alphabet).map(|kernel| energies.push(kernel))
+            }
+        };
+        if let Err(error) = done {
+            wrong.push(Mistakes { source, mistakes: mistakes(&checked, &error) });
         }
     }
-    let mut files: Vec<File> = kernels
+    let relation_headings: Vec<_> = kernels.iter().map(|kernel| &kernel.relation.heading).collect();
+    let energy_headings: Vec<_> = energies.iter().map(|kernel| &kernel.energy.heading).collect();
+    let modules = kernels.iter().map(|kernel| emit_relation::module(kernel, &alphabet));
+    let modules =
+        modules.chain(energies.iter().map(|kernel| emit_energy::module(kernel, &alphabet)));
+    let mut files: Vec<File> = relation_headings
         .iter()
-        .map(|kernel| {
-            let name = format!("{}.rs", kernel.relation.name);
-            render::file(&name, emit::module(kernel, &alphabet))
-        })
+        .chain(&energy_headings)
+        .zip(modules)
+        .map(|(heading, module)| render::file(&format!("{}.rs", heading.name), module))
         .collect();
-    files.push(render::file(render::INDEX, emit::index(&kernels)));
-    (Generated { kernels, files }, wrong)
+    let index = emit::index(&relation_headings, &energy_headings);
+    files.push(render::file(render::INDEX, index));
+    (Generated { kernels, energies, files }, wrong)
 }
 
-fn mistakes(relation: &Relation, error: &KernelError) -> Vec<Mistake> {
-    let work = relation.work.as_ref().unwrap_or(&relation.residual);
+fn mistakes(checked: &Checked, error: &KernelError) -> Vec<Mistake> {
+    let (stated, work) = match checked {
+        Checked::Relation(relation) => {
+            (&relation.residual, relation.work.as_ref().unwrap_or(&relation.residual))
+        }
+        Checked::Energy(energy) => (&energy.energy, &energy.energy),
+    };
     let flaws = match error {
         KernelError::Flaws(flaws) => flaws,
         KernelError::Program(error) => {
             return vec![Mistake::new(
-                relation.residual.span.clone(),
+                stated.span.clone(),
                 error.to_string(),
                 "simplify the expression, or name parts of it under [definitions]",
             )];
@@ -199,7 +222,7 @@ fn mistakes(relation: &Relation, error: &KernelError) -> Vec<Mistake> {
     };
     let mistake = |flaw: &Flaw| match flaw {
         Flaw::ConstantEquation(row) => Mistake::new(
-            relation.residual.row(*row).span.clone(),
+            stated.row(*row).span.clone(),
             format!("equation {} does not depend on the position of a body", row + 1),
             "no motion can fulfil it; use the coordinates of body i or j",
         ),
@@ -217,6 +240,16 @@ fn mistakes(relation: &Relation, error: &KernelError) -> Vec<Mistake> {
             span.clone(),
             "both arguments of `atan2` are zero at every position",
             "the origin has no angle; give it the sine and the cosine of one",
+        ),
+        Flaw::NoMass => Mistake::new(
+            stated.span.clone(),
+            "the energy does not depend on the velocity",
+            "use velocity_i or omega_i; a potential energy is a relation with a force law",
+        ),
+        Flaw::NotQuadratic => Mistake::new(
+            stated.span.clone(),
+            "the energy is not quadratic in the velocity",
+            "a kinetic energy is a sum of products of two components of velocity_i and omega_i",
         ),
         Flaw::ConstantWork(row) => Mistake::new(
             work.row(*row).span.clone(),

@@ -8,7 +8,7 @@ use symbolica::prelude::{Atom, Symbol};
 use crate::algebra::{Algebra, Function};
 use crate::alphabet::Alphabet;
 use crate::expression::{Expression, Kind, Operator};
-use crate::validate::Relation;
+use crate::validate::Heading;
 
 /// What can be wrong with a relation only when it is differentiated.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,40 +25,46 @@ pub enum Flaw {
     RootOfConstant(Range<usize>),
     /// An angle, at this place of the file, of a point that is always the origin.
     AngleOfOrigin(Range<usize>),
+    /// An energy does not depend on the velocity.
+    NoMass,
+    /// An energy is not a polynomial of second degree in the velocity.
+    NotQuadratic,
 }
 
-/// The equations of a relation as scalars.
+/// Expressions of one file as scalars.
 pub struct Lowered {
-    /// The intermediates that the equations refer to.
+    /// The intermediates that the scalars refer to.
     pub algebra: Algebra,
-    /// Φ.
-    pub residual: Vec<Atom>,
-    /// The rows of `work`, where the relation states it.
-    pub work: Option<Vec<Atom>>,
+    /// The components of each expression.
+    pub expressions: Vec<Vec<Atom>>,
 }
 
 /// Takes vectors and matrices apart and names their parts.
 ///
 /// # Errors
-/// Quotients and roots that can have no value.
-pub fn lower(relation: &Relation, alphabet: &Alphabet) -> Result<Lowered, Vec<Flaw>> {
+/// Quotients, roots and angles that can have no value.
+pub fn lower(
+    heading: &Heading,
+    expressions: &[&Expression],
+    alphabet: &Alphabet,
+) -> Result<Lowered, Vec<Flaw>> {
     let mut lowering = Lowering {
         algebra: Algebra::new(alphabet.clone()),
         names: HashMap::new(),
         flaws: Vec::new(),
     };
-    lowering.parameters(relation);
-    for (name, expression) in &relation.definitions {
+    lowering.parameters(heading);
+    for (name, expression) in &heading.definitions {
         let value = lowering.lower(expression);
         let value = lowering.keep(value);
         lowering.names.insert(name.clone(), value);
     }
-    let residual = lowering.lower(&relation.residual).components();
-    let work = relation.work.as_ref().map(|work| lowering.lower(work).components());
+    let expressions =
+        expressions.iter().map(|expression| lowering.lower(expression).components()).collect();
     if !lowering.flaws.is_empty() {
         return Err(lowering.flaws);
     }
-    Ok(Lowered { algebra: lowering.algebra, residual, work })
+    Ok(Lowered { algebra: lowering.algebra, expressions })
 }
 
 /// A value of the language in terms of symbols.
@@ -110,8 +116,8 @@ struct Lowering {
 }
 
 impl Lowering {
-    fn parameters(&mut self, relation: &Relation) {
-        for parameter in &relation.parameters {
+    fn parameters(&mut self, heading: &Heading) {
+        for parameter in &heading.parameters {
             let symbols = &self.algebra.alphabet.parameters[parameter.offset..];
             let value = if parameter.size == 1 {
                 Value::Scalar(Atom::var(symbols[0]))
@@ -145,18 +151,26 @@ impl Lowering {
             "delta_theta" => {
                 let p = slice(&alphabet.coordinates, 3, 7);
                 let d = slice(&alphabet.virtual_motions, 3, 7);
-                Value::Vector(self.virtual_rotation(&p, &d))
+                Value::Vector(self.turned(&p, &d, 1))
+            }
+            "velocity" => Value::Vector(slice(&alphabet.velocities, 0, 3)),
+            "omega" => {
+                let p = slice(&alphabet.coordinates, 3, 7);
+                let v = slice(&alphabet.velocities, 3, 7);
+                Value::Vector(self.turned(&p, &v, -1))
             }
             _ => return None,
         })
     }
 
-    /// δθ = 2 (e0 δe − δe0 e + e × δe), in ground axes.
-    fn virtual_rotation(&mut self, p: &[Atom], d: &[Atom]) -> Vec<Atom> {
+    /// δθ = 2 (e0 δe − δe0 e ± e × δe) for a change δp: with + in the axes of the ground,
+    /// with − in those of the body.
+    fn turned(&mut self, p: &[Atom], d: &[Atom], sign: i64) -> Vec<Atom> {
         let turned = cross(&p[1..], &d[1..]);
         (0..3)
             .map(|k| {
-                let half = &p[0] * &d[1 + k] - &d[0] * &p[1 + k] + &turned[k];
+                let turned = &turned[k] * Atom::num(sign);
+                let half = &p[0] * &d[1 + k] - &d[0] * &p[1 + k] + turned;
                 self.algebra.name(&(half * Atom::num(2)))
             })
             .collect()

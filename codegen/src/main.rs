@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, io};
 
-use hardpoint_codegen::kernel::PROGRAMS;
+use hardpoint_codegen::program::Program;
 use hardpoint_codegen::source::Source;
-use hardpoint_codegen::{Error, Generated, generate, generate_folder, render};
+use hardpoint_codegen::{Error, Generated, energy, generate, generate_folder, kernel, render};
 
 const HELP: &str = "\
 Derives kernels from the relations in constraints/.
@@ -68,16 +68,28 @@ fn show(constraints: &Path, name: &str) -> Result<(), Error> {
     Ok(())
 }
 
-/// The table of operation counts, as comments that may stand below Rust code.
+/// The tables of operation counts, as comments that may stand below Rust code.
 fn list(generated: &Generated) -> String {
-    let mut table = format!("// {:<18}", "add + mul (div, fn)");
-    for program in PROGRAMS {
+    let relations = generated.kernels.iter();
+    let relations = relations.map(|kernel| (&*kernel.relation.heading.name, &kernel.programs[..]));
+    let energies = generated.energies.iter();
+    let energies = energies.map(|kernel| (&*kernel.energy.heading.name, &kernel.programs[..]));
+    table(&kernel::PROGRAMS, relations.collect())
+        + table(&energy::PROGRAMS, energies.collect()).as_str()
+}
+
+fn table(programs: &[&str], rows: Vec<(&str, &[Program])>) -> String {
+    if rows.is_empty() {
+        return String::new();
+    }
+    let mut table = format!("// {:<23}", "add + mul (div, fn)");
+    for program in programs {
         table += &format!("{program:>14}");
     }
     table.push('\n');
-    for kernel in &generated.kernels {
-        table += &format!("// {:<19}", kernel.relation.name);
-        for program in &kernel.programs {
+    for (name, programs) in rows {
+        table += &format!("// {name:<23}");
+        for program in programs {
             let operations = program.operations();
             let rare = match (operations.divisions, operations.functions) {
                 (0, 0) => String::new(),

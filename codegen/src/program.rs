@@ -84,27 +84,4 @@ impl Program {
         }
         operations
     }
-
-    /// Runs the program in `f64`.
-    pub fn evaluate(&self, input: impl Fn(Symbol) -> f64) -> Vec<f64> {
-        let mut values: Vec<f64> = Vec::with_capacity(self.nodes.len());
-        for node in &self.nodes {
-            values.push(match *node {
-                Node::Input(symbol) => input(symbol),
-                Node::Constant(numerator, denominator) => numerator as f64 / denominator as f64,
-                Node::Add(a, b) => values[a] + values[b],
-                Node::Subtract(a, b) => values[a] - values[b],
-                Node::Multiply(a, b) => values[a] * values[b],
-                Node::Negate(a) => -values[a],
-                Node::Apply(function, a, b) => match function {
-                    Function::Reciprocal => 1.0 / values[a],
-                    Function::Root => values[a].sqrt(),
-                    Function::Sine => values[a].sin(),
-                    Function::Cosine => values[a].cos(),
-                    Function::Angle => values[a].atan2(b.map_or(f64::NAN, |b| values[b])),
-                },
-            });
-        }
-        self.outputs.iter().map(|&output| values[output]).collect()
-    }
 }

@@ -41,32 +41,56 @@ pub(crate) struct Quantity {
     pub unit: Unit,
 }
 
-/// The names that every relation may use: shape and unit for one body.
-const GIVEN: [(&str, Shape, Unit); 5] = [
-    ("r", Shape::Vector(3), Unit::METRE),
-    ("A", Shape::Matrix, Unit::ONE),
-    ("p", Shape::Vector(4), Unit::ONE),
-    ("delta_r", Shape::Vector(3), Unit::METRE),
-    ("delta_theta", Shape::Vector(3), Unit::ONE),
+/// Where a given name may stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// In every expression.
+    Anywhere,
+    /// In `work`.
+    Work,
+    /// In `energy` and its definitions.
+    Energy,
+}
+
+/// The given names: shape and unit for one body, and where they may stand.
+const GIVEN: [(&str, Shape, Unit, Place); 7] = [
+    ("r", Shape::Vector(3), Unit::METRE, Place::Anywhere),
+    ("A", Shape::Matrix, Unit::ONE, Place::Anywhere),
+    ("p", Shape::Vector(4), Unit::ONE, Place::Anywhere),
+    ("delta_r", Shape::Vector(3), Unit::METRE, Place::Work),
+    ("delta_theta", Shape::Vector(3), Unit::ONE, Place::Work),
+    ("velocity", Shape::Vector(3), Unit::METRE_PER_SECOND, Place::Energy),
+    ("omega", Shape::Vector(3), Unit::PER_SECOND, Place::Energy),
 ];
 
 /// The functions of the language.
 pub(crate) const FUNCTIONS: [&str; 8] =
     ["dot", "cross", "norm", "transpose", "sqrt", "sin", "cos", "atan2"];
 
-/// What is known while a relation is checked, and the mistakes found so far.
-#[derive(Default)]
+/// What is known while a file is checked, and the mistakes found so far.
 pub(crate) struct Checker {
     /// Parameters and definitions; `None` where a mistake was already told.
     pub names: HashMap<String, Option<Quantity>>,
     pub unused: Vec<(String, Range<usize>)>,
     pub body_i: bool,
     pub body_j: bool,
-    pub virtual_motion: bool,
+    /// Where the expression stands that is checked.
+    pub place: Place,
     pub mistakes: Vec<Mistake>,
 }
 
 impl Checker {
+    pub fn new(place: Place, mistakes: Vec<Mistake>) -> Self {
+        Self {
+            names: HashMap::new(),
+            unused: Vec::new(),
+            body_i: false,
+            body_j: false,
+            place,
+            mistakes,
+        }
+    }
+
     pub fn report(
         &mut self,
         span: &Range<usize>,
@@ -142,12 +166,21 @@ impl Checker {
     }
 
     fn name(&mut self, name: &str, span: &Range<usize>) -> Option<Quantity> {
-        if let Some((quantity, body, is_virtual)) = given(name) {
-            if is_virtual && !self.virtual_motion {
+        if let Some((quantity, body, place)) = given(name) {
+            if place != Place::Anywhere && place != self.place {
+                let (what, help) = if place == Place::Work {
+                    ("a virtual motion", "virtual motions stand only in `work`")
+                } else {
+                    ("a velocity", "velocities stand only in files that state an `energy`")
+                };
+                self.report(span, format!("`{name}` is {what}"), help);
+                return None;
+            }
+            if self.place == Place::Energy && body == 'j' {
                 self.report(
                     span,
-                    format!("`{name}` is a virtual motion"),
-                    "virtual motions stand only in `work`",
+                    format!("`{name}` is of a second body"),
+                    "a kinetic energy is that of one body, body i",
                 );
                 return None;
             }
@@ -283,14 +316,14 @@ impl Checker {
     }
 }
 
-/// Shape and unit of a given name, its body, and whether it is a virtual motion.
-pub(crate) fn given(name: &str) -> Option<(Quantity, char, bool)> {
+/// Shape and unit of a given name, its body, and where it may stand.
+pub(crate) fn given(name: &str) -> Option<(Quantity, char, Place)> {
     let (stem, body) = name.rsplit_once('_')?;
     let body = match body {
         "i" => 'i',
         "j" => 'j',
         _ => return None,
     };
-    let (_, shape, unit) = *GIVEN.iter().find(|(given, ..)| *given == stem)?;
-    Some((Quantity { shape, unit }, body, stem.starts_with("delta")))
+    let (_, shape, unit, place) = *GIVEN.iter().find(|(given, ..)| *given == stem)?;
+    Some((Quantity { shape, unit }, body, place))
 }

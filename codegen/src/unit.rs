@@ -18,6 +18,12 @@ impl Unit {
     pub const ONE: Self = Self([0; 3]);
     /// Metre.
     pub const METRE: Self = Self([2, 0, 0]);
+    /// Metre per second.
+    pub const METRE_PER_SECOND: Self = Self([2, 0, -2]);
+    /// Radian per second.
+    pub const PER_SECOND: Self = Self([0, 0, -2]);
+    /// Joule.
+    pub const JOULE: Self = Self([4, 2, -4]);
 
     /// Reads a unit such as `m`, `N*m/rad`, `kg*m^2` or `1`.
     ///

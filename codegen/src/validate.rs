@@ -1,8 +1,10 @@
-//! Checks names, shapes and units of a relation and gives it the form that can be differentiated.
+//! Checks names, shapes and units of a file and gives it the form that can be differentiated.
 
-use crate::definition::{Definition, ParameterDefinition, Text};
-use crate::expression::{self, Expression};
-use crate::quantity::{Checker, FUNCTIONS, Quantity, Shape, given};
+use std::ops::Range;
+
+use crate::definition::{Definition, ParameterDefinition, Statement, Text};
+use crate::expression::{self, Expression, Kind};
+use crate::quantity::{Checker, FUNCTIONS, Place, Quantity, Shape, given};
 use crate::source::{Mistake, Source};
 use crate::unit::Unit;
 
@@ -11,9 +13,9 @@ pub const MOST_EQUATIONS: usize = 12;
 /// The most parameter components that one relation may have.
 pub const MOST_PARAMETERS: usize = 48;
 
-/// A relation whose every name, shape and unit is right.
+/// What every file has.
 #[derive(Clone, Debug)]
-pub struct Relation {
+pub struct Heading {
     /// Name of the file without its ending.
     pub name: String,
     /// Title in words.
@@ -22,6 +24,24 @@ pub struct Relation {
     pub equation: String,
     /// Where the equation comes from.
     pub reference: String,
+    /// Named intermediates in the order of the file.
+    pub definitions: Vec<(String, Expression)>,
+    /// Parameters in the order of the file.
+    pub parameters: Vec<Parameter>,
+}
+
+impl Heading {
+    /// Number of components of h.
+    pub fn parameter_count(&self) -> usize {
+        self.parameters.iter().map(|parameter| parameter.size).sum()
+    }
+}
+
+/// A relation whose every name, shape and unit is right.
+#[derive(Clone, Debug)]
+pub struct Relation {
+    /// Names, definitions and parameters.
+    pub heading: Heading,
     /// 1 or 2.
     pub bodies: usize,
     /// Length of Φ.
@@ -32,10 +52,34 @@ pub struct Relation {
     pub residual: Expression,
     /// Virtual motion that the force works on.
     pub work: Option<Expression>,
-    /// Named intermediates in the order of the file.
-    pub definitions: Vec<(String, Expression)>,
-    /// Parameters in the order of the file.
-    pub parameters: Vec<Parameter>,
+}
+
+/// A kinetic energy whose every name, shape and unit is right.
+#[derive(Clone, Debug)]
+pub struct Energy {
+    /// Names, definitions and parameters.
+    pub heading: Heading,
+    /// T.
+    pub energy: Expression,
+}
+
+/// A file without mistakes.
+#[derive(Clone, Debug)]
+pub enum Checked {
+    /// It states a relation.
+    Relation(Relation),
+    /// It states a kinetic energy.
+    Energy(Energy),
+}
+
+impl Checked {
+    /// What every file has.
+    pub fn heading(&self) -> &Heading {
+        match self {
+            Self::Relation(relation) => &relation.heading,
+            Self::Energy(energy) => &energy.heading,
+        }
+    }
 }
 
 /// A parameter of a relation.
@@ -56,9 +100,12 @@ pub struct Parameter {
 }
 
 /// Names that generated code uses for something else.
-const TAKEN: [&str; 9] = [
+const TAKEN: [&str; 12] = [
     "coordinates",
+    "energy_shape",
     "kernels",
+    "kinetic_energy",
+    "motion",
     "operations",
     "parameter",
     "place",
@@ -68,7 +115,7 @@ const TAKEN: [&str; 9] = [
     "shape",
 ];
 
-/// Checks a relation.
+/// Checks a file.
 ///
 /// # Errors
 /// All mistakes in names, shapes and units, together with those found before.
@@ -76,46 +123,96 @@ pub fn check(
     source: &Source,
     definition: &Definition,
     mistakes: Vec<Mistake>,
-) -> Result<Relation, Vec<Mistake>> {
-    let mut checker = Checker { mistakes, ..Checker::default() };
-    checker.file_name(source);
-    let parameters = checker.parameters(definition);
-    let mut definitions = Vec::new();
-    for (name, text) in &definition.definitions {
-        checker.new_name(name);
-        let expression = checker.parse(text);
-        let quantity = expression.as_ref().and_then(|expression| checker.quantity(expression));
-        checker.names.insert(name.text.clone(), quantity);
-        checker.unused.push((name.text.clone(), name.span.clone()));
-        definitions.extend(expression.map(|expression| (name.text.clone(), expression)));
-    }
-    let residual = checker.parse(&definition.residual);
-    let phi = residual.as_ref().and_then(|residual| checker.quantity(residual));
-    checker.virtual_motion = true;
-    let work = definition.work.as_ref().and_then(|text| checker.parse(text));
-    let motion = work.as_ref().and_then(|work| checker.quantity(work));
-    checker.whole(definition, phi, motion);
-    if !checker.mistakes.is_empty() {
-        checker.mistakes.sort_by_key(|mistake| mistake.span.start);
-        return Err(checker.mistakes);
-    }
-    let phi = phi.ok_or_else(Vec::new)?;
-    Ok(Relation {
-        name: source.name.clone(),
-        title: definition.title.text.clone(),
-        equation: definition.equation.text.clone(),
-        reference: definition.reference.text.clone(),
-        bodies: if checker.body_j { 2 } else { 1 },
-        equations: phi.shape.size(),
-        unit: phi.unit,
-        residual: residual.ok_or_else(Vec::new)?,
-        work,
-        definitions,
-        parameters,
-    })
+) -> Result<Checked, Vec<Mistake>> {
+    let place = match definition.statement {
+        Statement::Relation { .. } => Place::Anywhere,
+        Statement::Energy(_) => Place::Energy,
+    };
+    let mut checker = Checker::new(place, mistakes);
+    let heading = checker.heading(source, definition);
+    let checked = match &definition.statement {
+        Statement::Relation { residual, work } => {
+            checker.relation(heading, residual, work.as_ref()).map(Checked::Relation)
+        }
+        Statement::Energy(energy) => checker.energy(heading, energy).map(Checked::Energy),
+    };
+    checker.mistakes.sort_by_key(|mistake| mistake.span.start);
+    checked.filter(|_| checker.mistakes.is_empty()).ok_or(checker.mistakes)
 }
 
 impl Checker {
+    fn heading(&mut self, source: &Source, definition: &Definition) -> Heading {
+        self.file_name(source);
+        let parameters = self.parameters(definition);
+        let mut definitions = Vec::new();
+        for (name, text) in &definition.definitions {
+            self.new_name(name);
+            let expression = self.parse(text);
+            let quantity = expression.as_ref().and_then(|expression| self.quantity(expression));
+            self.names.insert(name.text.clone(), quantity);
+            self.unused.push((name.text.clone(), name.span.clone()));
+            definitions.extend(expression.map(|expression| (name.text.clone(), expression)));
+        }
+        Heading {
+            name: source.name.clone(),
+            title: definition.title.text.clone(),
+            equation: definition.equation.text.clone(),
+            reference: definition.reference.text.clone(),
+            definitions,
+            parameters,
+        }
+    }
+
+    fn relation(
+        &mut self,
+        heading: Heading,
+        residual_text: &Text,
+        work_text: Option<&Text>,
+    ) -> Option<Relation> {
+        let residual = self.parse(residual_text);
+        let mut phi = residual.as_ref().and_then(|residual| self.quantity(residual));
+        self.place = Place::Work;
+        let work = work_text.and_then(|text| self.parse(text));
+        let motion = work.as_ref().and_then(|work| self.quantity(work));
+        // A load that sees nothing has its multiplier all the same, which needs a unit.
+        let is_zero = |residual: &Expression| matches!(residual.kind, Kind::Number(0, _));
+        if let (Some(phi), Some(motion)) = (&mut phi, motion)
+            && residual.as_ref().is_some_and(is_zero)
+        {
+            phi.unit = motion.unit;
+        }
+        self.sizes(&residual_text.span, phi, work_text.zip(motion));
+        self.whole(&residual_text.span, "relation");
+        let phi = phi?;
+        Some(Relation {
+            heading,
+            bodies: if self.body_j { 2 } else { 1 },
+            equations: phi.shape.size(),
+            unit: phi.unit,
+            residual: residual?,
+            work,
+        })
+    }
+
+    fn energy(&mut self, heading: Heading, text: &Text) -> Option<Energy> {
+        let energy = self.parse(text);
+        match energy.as_ref().and_then(|energy| self.quantity(energy)) {
+            Some(Quantity { shape, .. }) if shape != Shape::Scalar => self.report(
+                &text.span,
+                format!("the energy is {}", shape.words()),
+                "an energy is one number",
+            ),
+            Some(Quantity { unit, .. }) if unit != Unit::JOULE => self.report(
+                &text.span,
+                format!("the energy has the unit {unit}"),
+                format!("an energy is in joule, {}", Unit::JOULE),
+            ),
+            _ => {}
+        }
+        self.whole(&text.span, "energy");
+        Some(Energy { heading, energy: energy? })
+    }
+
     fn file_name(&mut self, source: &Source) {
         let name = &source.name;
         let plain = name.starts_with(|c: char| c.is_ascii_lowercase())
@@ -164,7 +261,7 @@ impl Checker {
         }
         if offset > MOST_PARAMETERS {
             self.report(
-                &definition.residual.span,
+                &definition.statement.text().span,
                 format!("the parameters have {offset} components together"),
                 format!("a relation may have {MOST_PARAMETERS}; make two relations of it"),
             );
@@ -235,9 +332,13 @@ impl Checker {
         expression::parse(text).map_err(|mistakes| self.mistakes.extend(mistakes)).ok()
     }
 
-    /// What concerns the relation as a whole.
-    fn whole(&mut self, definition: &Definition, phi: Option<Quantity>, work: Option<Quantity>) {
-        let span = &definition.residual.span;
+    /// Whether residual and work have the number of equations that they may have.
+    fn sizes(
+        &mut self,
+        span: &Range<usize>,
+        phi: Option<Quantity>,
+        work: Option<(&Text, Quantity)>,
+    ) {
         match phi.map(|phi| phi.shape) {
             Some(Shape::Matrix) => {
                 self.report(span, "the residual is a matrix", "list the entries that must vanish");
@@ -252,22 +353,28 @@ impl Checker {
             }
             _ => {}
         }
-        if let (Some(phi), Some(work), Some(text)) = (phi, work, &definition.work)
+        if let (Some(phi), Some((text, work))) = (phi, work)
             && phi.shape != work.shape
         {
             let message =
                 format!("work is {}, but the residual {}", work.shape.words(), phi.shape.words());
             self.report(&text.span, message, "give work one row for each equation");
         }
+    }
+
+    /// What concerns the file as a whole.
+    fn whole(&mut self, span: &Range<usize>, what: &str) {
         // After a mistake in an expression a name may only seem to be unused.
         if self.mistakes.is_empty() {
             if !self.body_i {
                 let help = if self.body_j {
                     "a relation of one body speaks of body i: use r_i, A_i, p_i"
+                } else if self.place == Place::Energy {
+                    "use velocity_i and omega_i"
                 } else {
                     "use r_i, A_i or p_i, and r_j, A_j, p_j for the second body"
                 };
-                self.report(span, "the relation does not depend on body i", help);
+                self.report(span, format!("the {what} does not depend on body i"), help);
             }
             for (name, span) in std::mem::take(&mut self.unused) {
                 let message = format!("`{name}` is never used");

@@ -1,9 +1,10 @@
 //! Numbers and states that several test binaries share.
 #![allow(dead_code, reason = "each test binary uses a part of it")]
 
-use hardpoint::relation::Shape;
+use hardpoint::kernels::RelationKind;
+use hardpoint::relation::{Place, Shape};
 use hardpoint::scalar::Scalar;
-use num_dual::{Dual64, DualNum as _, HyperDual64};
+use num_dual::{Dual64, DualNum as _, HyperDual, HyperDual64};
 
 /// A number type of `num-dual` as a scalar of ours, which the orphan rule asks for.
 #[derive(Clone, Copy, Debug)]
@@ -73,11 +74,14 @@ macro_rules! foreign {
 
 foreign!(Dual64);
 foreign!(HyperDual64);
+foreign!(HyperDual<Dual64>);
 
 /// First-order dual number.
 pub type First = Foreign<Dual64>;
 /// Second-order dual number with two directions.
 pub type Second = Foreign<HyperDual64>;
+/// Third-order dual number: each part of a second-order one has a derivative in a third direction.
+pub type Third = Foreign<HyperDual<Dual64>>;
 
 /// A random place to evaluate a relation at.
 #[derive(Clone, Debug)]
@@ -94,7 +98,30 @@ pub struct State {
 
 impl State {
     /// A random state with unit Euler parameters and sizes as in a suspension.
+    ///
+    /// A state near a singularity of angles or near the cut of `atan2` is drawn again:
+    /// rounding grows there as the derivatives do, and angles jump.
     pub fn random(shape: &Shape, rng: &mut fastrand::Rng) -> Self {
+        loop {
+            let state = Self::anywhere(shape, rng);
+            if shape.unit != "1" || state.is_regular(shape) {
+                return state;
+            }
+        }
+    }
+
+    fn is_regular(&self, shape: &Shape) -> bool {
+        let kind = RelationKind::from_name(shape.name).expect("every shape has a kind");
+        let [q_i, q_j] = [&self.q[..7], &self.q[7..]].map(|q| q.try_into().expect("seven"));
+        let mut phi = vec![0.0; shape.equations];
+        let mut phi_q = vec![0.0; shape.jacobian.len()];
+        let mut work = vec![0.0; shape.work.len()];
+        let place = Place { q_i, q_j, h: &self.h };
+        kind.kernels::<f64>().jacobian(place, &mut phi, &mut phi_q, &mut work);
+        phi.iter().all(|phi| phi.abs() < 2.0) && phi_q.iter().all(|entry| entry.abs() < 12.0)
+    }
+
+    fn anywhere(shape: &Shape, rng: &mut fastrand::Rng) -> Self {
         let mut q = std::array::from_fn(|_| symmetric(rng));
         for body in [0, 7] {
             unit(&mut q[body + 3..body + 7]);
