@@ -4,35 +4,8 @@
 
 pub mod wheel;
 
-use crate::model::Units;
+use crate::model::{Quantity, Units};
 use crate::rig::Pose;
-
-/// What kind of quantity a factor is; the units of a model say how it is shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// A length, in m inside.
-    Length,
-    /// An angle, in rad inside.
-    Angle,
-}
-
-impl Quantity {
-    /// The symbol of the unit that a model uses.
-    pub fn symbol(self, units: Units) -> &'static str {
-        match self {
-            Self::Length => units.length.symbol(),
-            Self::Angle => units.angle.symbol(),
-        }
-    }
-
-    /// A value (SI) in the unit that a model uses.
-    pub fn show(self, units: Units, value: f64) -> f64 {
-        match self {
-            Self::Length => units.length.from_metres(value),
-            Self::Angle => units.angle.from_radians(value),
-        }
-    }
-}
 
 /// One factor.
 #[derive(Clone, Copy)]

@@ -50,6 +50,22 @@ impl Spline {
         Ok(Self { points, second })
     }
 
+    /// The function −f(−x).
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self {
+            points: self.points.iter().rev().map(|&[x, y]| [-x, -y]).collect(),
+            second: self.second.iter().rev().map(|second| -second).collect(),
+        }
+    }
+
+    /// The function f(x − d).
+    #[must_use]
+    pub fn shifted(&self, d: f64) -> Self {
+        let points = self.points.iter().map(|&[x, y]| [x + d, y]).collect();
+        Self { points, second: self.second.clone() }
+    }
+
     /// The rows of the table.
     pub fn points(&self) -> &[[f64; 2]] {
         &self.points
@@ -139,6 +155,16 @@ mod tests {
             assert!((here.first - (plus.value - minus.value) / (2.0 * d)).abs() < 1e-8);
             assert!((here.second - (plus.first - minus.first) / (2.0 * d)).abs() < 1e-8);
         }
+    }
+
+    #[test]
+    fn reversed_and_shifted_are_what_they_say() {
+        let spline = table(&[[-3.0, 4.0], [-1.0, -1.0], [0.0, 0.5], [2.5, 3.0]]);
+        for x in [-4.0, -2.0, -0.5, 0.0, 1.0, 3.0] {
+            assert_eq!(spline.reversed().at(x).value, -spline.at(-x).value);
+            assert!((spline.shifted(0.5).at(x).value - spline.at(x - 0.5).value).abs() < 1e-14);
+        }
+        assert_eq!(spline.reversed().reversed(), spline);
     }
 
     #[test]

@@ -41,7 +41,7 @@ impl SweepReport<'_> {
             })
             .collect();
         let symbols: Vec<String> =
-            FACTORS.iter().map(|factor| factor.quantity.symbol(units).to_owned()).collect();
+            FACTORS.iter().map(|factor| factor.quantity.symbol(units)).collect();
         let mut line = |fields: &mut dyn Iterator<Item = &str>| {
             let padded: Vec<String> =
                 fields.zip(&widths).map(|(field, width)| format!("{field:>width$}")).collect();

@@ -3,17 +3,17 @@
 use thiserror::Error;
 
 use super::pose::{Axle, Pose, Wheel};
-use crate::mechanism::{BodyId, MechanismError, PointId};
-use crate::model::{Axes, Drive, Model, Side, Suspension};
+use crate::mechanism::{BodyId, PointId};
+use crate::model::{Axes, Model, Setup, Side, Suspension, SuspensionError};
 use crate::solve::{FreeMotion, FreedomReport, StepReport, Stop, System, SystemError};
 use crate::vector::dot;
 
 /// Why a corner cannot be put on the rig.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum RigError {
-    /// The points make no mechanism.
+    /// The model cannot be set up.
     #[error(transparent)]
-    Mechanism(#[from] MechanismError),
+    Suspension(#[from] SuspensionError),
     /// The mechanism cannot be solved.
     #[error(transparent)]
     System(#[from] SystemError),
@@ -33,8 +33,8 @@ impl Corner {
     ///
     /// # Errors
     /// [`RigError`] for geometry without meaning or a wheel that cannot move.
-    pub fn new(model: &Model, drive: Drive) -> Result<Self, RigError> {
-        let suspension = model.suspension(drive)?;
+    pub fn new(model: &Model, setup: &Setup) -> Result<Self, RigError> {
+        let suspension = model.suspension(setup)?;
         let system = System::new(suspension.mechanism.clone())?;
         Ok(Self { suspension, system, side: model.side, axes: model.axes })
     }
