@@ -13,15 +13,15 @@
 //!
 //! ```
 //! use hardpoint::factors::wheel;
-//! use hardpoint::model::{Drive, Model};
-//! use hardpoint::rig::{Corner, Event, Sweep, SweepPlan};
+//! use hardpoint::model::{Model, Setup};
+//! use hardpoint::rig::{Corner, Event, Held, Sweep, SweepPlan};
 //!
 //! let model = Model::load("models/double-wishbone.toml")?;
-//! let mut corner = Corner::new(&model, Drive::WheelCenter)?;
+//! let mut corner = Corner::new(&model, &Setup::default())?;
 //! assert!(corner.freedom().is_exact(), "{}", corner.freedom());
 //!
 //! // 30 mm of rebound to 30 mm of jounce, the rack held in the middle.
-//! let plan = SweepPlan { event: Event::Travel, from: -0.03, to: 0.03, step: 0.01, held: 0.0 };
+//! let plan = SweepPlan { event: Event::Travel, from: -0.03, to: 0.03, step: 0.01, held: Held::default() };
 //! let sweep = Sweep::run(&mut corner, &plan, |_| {});
 //! assert!(sweep.stops.is_empty());
 //! for row in &sweep.rows {

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use hardpoint::factors::FACTORS;
-use hardpoint::model::{Drive, Model};
-use hardpoint::rig::{Corner, Event, Pose, Sweep, SweepPlan};
+use hardpoint::model::{Drive, Model, Setup};
+use hardpoint::rig::{Corner, Event, Held, Pose, Sweep, SweepPlan};
 
 /// The rows of a reference table by the names of its columns.
 fn table(text: &str) -> Vec<HashMap<String, f64>> {
@@ -33,7 +33,8 @@ fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
 }
 
 fn sweep(model: &Model, drive: Drive, plan: &SweepPlan) -> Sweep {
-    let mut corner = Corner::new(model, drive).expect("the model moves");
+    let mut corner =
+        Corner::new(model, &Setup { drive, ..Setup::default() }).expect("the model moves");
     let sweep = Sweep::run(&mut corner, plan, |_| {});
     assert!(sweep.stops.is_empty(), "{:?}", sweep.stops);
     sweep
@@ -86,7 +87,13 @@ fn compare_with_sedan(text: &str, plan: &SweepPlan) -> Sweep {
 /// The paper's sweep: −130 … 130 mm in 10 mm steps.
 #[test]
 fn sedan_travel() {
-    let plan = SweepPlan { event: Event::Travel, from: -0.13, to: 0.13, step: 0.01, held: 0.0 };
+    let plan = SweepPlan {
+        event: Event::Travel,
+        from: -0.13,
+        to: 0.13,
+        step: 0.01,
+        held: Held::default(),
+    };
     let sweep = compare_with_sedan(include_str!("reference/sedan-travel.csv"), &plan);
     for row in &sweep.rows {
         assert!(row.iterations <= 3, "{} iterations at {}", row.iterations, row.pose.travel);
@@ -96,7 +103,8 @@ fn sedan_travel() {
 
 #[test]
 fn sedan_steering() {
-    let plan = SweepPlan { event: Event::Steer, from: -0.06, to: 0.06, step: 0.01, held: 0.0 };
+    let plan =
+        SweepPlan { event: Event::Steer, from: -0.06, to: 0.06, step: 0.01, held: Held::default() };
     compare_with_sedan(include_str!("reference/sedan-steer.csv"), &plan);
 }
 
@@ -106,7 +114,7 @@ fn adams_both_sides() {
     let left = model("adams-tr-front");
     for model in [left.mirrored(), left] {
         let side = model.side.name();
-        let mut corner = Corner::new(&model, Drive::WheelCenter).expect("the model moves");
+        let mut corner = Corner::new(&model, &Setup::default()).expect("the model moves");
         let reference = table(include_str!("reference/adams-tr-front.csv"));
         assert_eq!(reference.len(), 9);
         for expected in reference {
@@ -134,8 +142,13 @@ fn adams_both_sides() {
 #[test]
 fn lotus_bump() {
     let model = model("lotus-front");
-    let plan =
-        SweepPlan { event: Event::Travel, from: -0.0375, to: 0.0375, step: 0.0075, held: 0.0 };
+    let plan = SweepPlan {
+        event: Event::Travel,
+        from: -0.0375,
+        to: 0.0375,
+        step: 0.0075,
+        held: Held::default(),
+    };
     let sweep = sweep(&model, Drive::ContactPatch, &plan);
     let reference = table(include_str!("reference/lotus-bump.csv"));
     assert_eq!(sweep.rows.len(), 11);

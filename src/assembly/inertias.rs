@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use super::block::{Block, Places};
 use super::elements::{Blend, Motion};
+use crate::energy::{self, EnergyShape, KineticEnergy};
 use crate::mechanism::Expansion;
-use crate::relation::{self, BODY_COORDINATES, EnergyShape, KineticEnergy};
+use crate::relation::BODY_COORDINATES;
 
 /// The inertias of all bodies that have mass.
 #[derive(Clone)]
@@ -110,8 +111,8 @@ impl Inertias {
 }
 
 impl Inertia {
-    fn motion<'a>(&self, motion: Motion<'a>, h: &'a [f64]) -> relation::Motion<'a, f64> {
-        relation::Motion {
+    fn motion<'a>(&self, motion: Motion<'a>, h: &'a [f64]) -> energy::Motion<'a, f64> {
+        energy::Motion {
             q: &motion.state[self.body],
             v: &motion.velocity[self.body],
             a: &motion.acceleration[self.body],

@@ -111,8 +111,7 @@ fn points(root: &mut Section, report: &mut Report) -> PointsFile {
     points
 }
 
-const BODIES_HELP: &str =
-    "list the moving bodies: `crank = \"Crank\"` in `[bodies]`, or a section `[bodies.crank]` with its mass";
+const BODIES_HELP: &str = "list the moving bodies: `crank = \"Crank\"` in `[bodies]`, or a section `[bodies.crank]` with its mass";
 
 /// The names are needed before anything else can be read.
 fn body_names(root: &mut Section, ground: &str, report: &mut Report) -> Vec<String> {

@@ -82,7 +82,7 @@ impl Equilibrium {
         let kkt = Kkt::with_forces(system.terms().clone(), elements, Inertias::none(), &numbering);
         let equations = position.sizes().len();
         let unknowns = kkt.unknowns();
-        let drivers = (0..system.mechanism().drivers().len()).map(DriverId);
+        let drivers = system.mechanism().driver_ids();
         Self {
             linear: solver(kkt.pattern()),
             step: vec![0.0; kkt.pattern().rows()],
@@ -172,7 +172,7 @@ impl Equilibrium {
 
     /// The multiplier of a driver: the force (N) or moment (N·m) −λ that it takes to hold it.
     pub fn driver_multiplier(&self, driver: DriverId) -> f64 {
-        self.problem.lambda[self.driver_equation(driver)]
+        self.problem.lambda[self.equation_of(driver)]
     }
 
     /// The value (m or rad, from the design position) that a driver has.
@@ -231,18 +231,13 @@ impl Equilibrium {
         Ok(DriverTangent { coordinates, multipliers, numbering: &problem.numbering })
     }
 
-    /// The equation of a driver.
-    pub(super) fn driver_equation(&self, driver: DriverId) -> usize {
-        let equations = 0..self.expansion.equation_count();
-        let mut equations = equations.rev();
-        equations
-            .find(|&equation| self.expansion.owner(equation) == Owner::Driver(driver))
-            .expect("every driver has an equation")
-    }
-
     /// The equation of a driver, for [`DriverTangent::multiplier`].
+    ///
+    /// # Panics
+    /// If the driver belongs to another mechanism.
     pub fn equation_of(&self, driver: DriverId) -> usize {
-        self.driver_equation(driver)
+        let mut equations = self.expansion.equations_of(Owner::Driver(driver));
+        equations.next().expect("every driver has an equation")
     }
 }
 

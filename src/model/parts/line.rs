@@ -28,7 +28,8 @@ impl Parts<'_> {
         let viscous = self.optional_damping(section, name, report);
         let rest = self.rest(section, name, curve.as_ref(), report);
         let ((i, j, [on_i, on_j]), (reference, preload)) = (ends?, rest?);
-        let law = Law { elastic: curve?.reversed(), viscous: viscous?, preload, acts: Acts::Always };
+        let law =
+            Law { elastic: curve?.reversed(), viscous: viscous?, preload, acts: Acts::Always };
         Some((i, j, ForceKind::Line { on_i, on_j, reference, law }))
     }
 
@@ -149,9 +150,7 @@ impl Parts<'_> {
         }
         let preload = self.number(section, "preload", Quantity::Force, help, report)?;
         match curve? {
-            Curve::Zero | Curve::Linear(_) => {
-                Some((Reference::Design(0.0), -preload.into_inner()))
-            }
+            Curve::Zero | Curve::Linear(_) => Some((Reference::Design(0.0), -preload.into_inner())),
             table @ Curve::Table(_) => {
                 let compression = preloaded(table, &preload, *preload.get_ref(), name, report)?;
                 Some((Reference::Design(compression), 0.0))
@@ -172,9 +171,9 @@ pub(super) fn preloaded(
         Ok(value) => Some(value),
         Err(problem) => {
             let message = format!("the table of `{name}` cannot give this preload: {problem}");
-            report.mistake(&preload.span(), message, "this preload").help(
-                "change the table, or say at which length or angle it has no force instead",
-            );
+            report
+                .mistake(&preload.span(), message, "this preload")
+                .help("change the table, or say at which length or angle it has no force instead");
             None
         }
     }

@@ -12,8 +12,13 @@ use crate::model::read::Section;
 
 impl Parts<'_> {
     /// The mass, centre of mass and inertia tensor of a section of a body.
-    pub(crate) fn mass(&self, section: &mut Section, report: &mut Report) -> Option<MassProperties> {
-        let mass = self.number(section, "mass", Quantity::Mass, "write its mass: `mass = 4.2`", report);
+    pub(crate) fn mass(
+        &self,
+        section: &mut Section,
+        report: &mut Report,
+    ) -> Option<MassProperties> {
+        let mass =
+            self.number(section, "mass", Quantity::Mass, "write its mass: `mass = 4.2`", report);
         let help = "write where it is at the design position: `center_of_mass = [x, y, z]`";
         let center = section.required::<[f64; 3]>("center_of_mass", help, report);
         let help = "write the moments about the centre of mass, `inertia = [Jxx, Jyy, Jzz]`, or all zero for a point mass";

@@ -59,7 +59,12 @@ impl Parts<'_> {
         Some(self.in_si(&number, quantity, report))
     }
 
-    fn in_si(&self, number: &Spanned<f64>, quantity: Quantity, report: &mut Report) -> Spanned<f64> {
+    fn in_si(
+        &self,
+        number: &Spanned<f64>,
+        quantity: Quantity,
+        report: &mut Report,
+    ) -> Spanned<f64> {
         let span = number.span();
         let value = self.units.to_si(quantity, *number.get_ref(), &span, report);
         Spanned::new(span, value)
@@ -114,7 +119,11 @@ pub(crate) fn named_sections<'t, T>(
     };
     let Some(list) = value.get_ref().as_array() else {
         report
-            .mistake(&value.span(), format!("`{key}` must be a list of sections"), "a single section")
+            .mistake(
+                &value.span(),
+                format!("`{key}` must be a list of sections"),
+                "a single section",
+            )
             .help(format!("write `[[{key}]]` in double brackets, one for each {one}"));
         return parts;
     };
