@@ -25,11 +25,13 @@
 //! let sweep = Sweep::run(&mut corner, &plan, |_| {});
 //! assert!(sweep.stops.is_empty());
 //! for row in &sweep.rows {
-//!     let toe = wheel::toe(row.pose.wheel.spin, row.pose.side).to_degrees();
-//!     println!("{:6.1} mm  toe {toe:7.4}° (+ toe-in)", row.pose.travel * 1000.0);
+//!     let Some(pose) = row.pose else { continue };
+//!     let toe = wheel::toe(pose.wheel.spin, pose.side).to_degrees();
+//!     println!("{:6.1} mm  toe {toe:7.4}° (+ toe-in)", pose.travel * 1000.0);
 //! }
 //! # let toe = |k: usize| {
-//! #     wheel::toe(sweep.rows[k].pose.wheel.spin, sweep.rows[k].pose.side).to_degrees()
+//! #     let pose = sweep.rows[k].pose.unwrap();
+//! #     wheel::toe(pose.wheel.spin, pose.side).to_degrees()
 //! # };
 //! # assert!((toe(3) - 0.1).abs() < 1e-12 && toe(6) < toe(0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
