@@ -4,35 +4,8 @@
 
 pub mod wheel;
 
-use crate::model::Units;
+use crate::model::{Quantity, Units};
 use crate::rig::Pose;
-
-/// What kind of quantity a factor is; the units of a model say how it is shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// A length, in m inside.
-    Length,
-    /// An angle, in rad inside.
-    Angle,
-}
-
-impl Quantity {
-    /// The symbol of the unit that a model uses.
-    pub fn symbol(self, units: Units) -> &'static str {
-        match self {
-            Self::Length => units.length.symbol(),
-            Self::Angle => units.angle.symbol(),
-        }
-    }
-
-    /// A value (SI) in the unit that a model uses.
-    pub fn show(self, units: Units, value: f64) -> f64 {
-        match self {
-            Self::Length => units.length.from_metres(value),
-            Self::Angle => units.angle.from_radians(value),
-        }
-    }
-}
 
 /// One factor.
 #[derive(Clone, Copy)]
@@ -72,7 +45,7 @@ fn center(pose: &Pose<f64>) -> [f64; 3] {
 
 /// Angles of the wheel's rotation in the axes of the model.
 fn angles(pose: &Pose<f64>) -> [f64; 3] {
-    wheel::rotation_angles(pose.axes.rotation_from_iso(pose.rotation))
+    crate::vector::rotation_angles(pose.axes.rotation_from_iso(pose.rotation))
 }
 
 const ROTATION: &str = "R = Rx(a) Ry(b) Rz(c), from design, in the model's axes";
@@ -186,5 +159,23 @@ pub const FACTORS: &[Factor] = &[
         formula: "atan2(−σ k_y, k_z)",
         source: "Altair, Lotus",
         value: |pose| pose.steer_axis.map(|axis| wheel::kingpin(axis.direction(), pose.side)),
+    },
+    Factor {
+        name: "wheel_load",
+        title: "vertical wheel load",
+        quantity: Quantity::Force,
+        sign: "+ up on the wheel",
+        formula: "vertical force of the rig or the ground in static equilibrium",
+        source: "Adams/Car",
+        value: |pose| pose.load.map(|load| load.force),
+    },
+    Factor {
+        name: "wheel_rate",
+        title: "wheel rate",
+        quantity: Quantity::Stiffness,
+        sign: "+ stiffer in jounce",
+        formula: "dF/dz of the vertical force that holds the wheel, by its travel",
+        source: "Adams/Car, Lotus",
+        value: |pose| pose.load.and_then(|load| load.rate),
     },
 ];

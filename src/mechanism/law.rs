@@ -38,6 +38,16 @@ impl Curve {
         }
     }
 
+    /// The curve −f(−x).
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        match self {
+            Self::Zero => Self::Zero,
+            Self::Linear(factor) => Self::Linear(*factor),
+            Self::Table(spline) => Self::Table(spline.reversed()),
+        }
+    }
+
     fn is_zero(&self) -> bool {
         matches!(self, Self::Zero)
     }
@@ -92,6 +102,21 @@ impl Law {
     /// A linear spring.
     pub fn spring(stiffness: f64) -> Self {
         Self { elastic: Curve::linear(stiffness), ..Self::default() }
+    }
+
+    /// The law of −Φ, which gives −λ: that of the mirror image where Φ changes its sign.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self {
+            elastic: self.elastic.reversed(),
+            viscous: self.viscous.reversed(),
+            preload: -self.preload,
+            acts: match self.acts {
+                Acts::Always => Acts::Always,
+                Acts::Below => Acts::Above,
+                Acts::Above => Acts::Below,
+            },
+        }
     }
 
     /// Whether there is never any force.
@@ -181,6 +206,20 @@ mod tests {
                 }
                 assert_eq!(law.potential(0.0), 0.0);
             }
+        }
+    }
+
+    #[test]
+    fn a_reversed_law_answers_the_reversed_motion() {
+        let table = Spline::new("stop", vec![[-2.0, -9.0], [0.0, 0.0], [1.0, 1.0]]).unwrap();
+        let law = Law {
+            elastic: Curve::Table(table),
+            viscous: Curve::Linear(3.0),
+            preload: -1.0,
+            acts: Acts::Below,
+        };
+        for (value, rate) in [(-1.0, -0.2), (-1.5, 0.4), (0.5, 0.0)] {
+            assert_eq!(law.reversed().at(-value, -rate).force, -law.at(value, rate).force);
         }
     }
 

@@ -49,12 +49,30 @@ impl Spline {
         if let Some(row) = second.iter().position(|x| !x.is_finite()) {
             return wrong(row, "two rows are too close to each other");
         }
+        Ok(Self::from_parts(points, second))
+    }
+
+    fn from_parts(points: Vec<[f64; 2]>, second: Vec<f64>) -> Self {
         let mut spline = Self { areas: vec![0.0; points.len()], points, second };
         for k in 1..spline.points.len() {
             let end = spline.points[k][0];
             spline.areas[k] = spline.areas[k - 1] + spline.area_within(k - 1, end);
         }
-        Ok(spline)
+        spline
+    }
+
+    /// The function −f(−x).
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        let points = self.points.iter().rev().map(|&[x, y]| [-x, -y]).collect();
+        Self::from_parts(points, self.second.iter().rev().map(|second| -second).collect())
+    }
+
+    /// The function f(x − d).
+    #[must_use]
+    pub fn shifted(&self, d: f64) -> Self {
+        let points = self.points.iter().map(|&[x, y]| [x + d, y]).collect();
+        Self::from_parts(points, self.second.clone())
     }
 
     /// The rows of the table.
@@ -181,6 +199,16 @@ mod tests {
             assert!((here.first - (plus.value - minus.value) / (2.0 * d)).abs() < 1e-8);
             assert!((here.second - (plus.first - minus.first) / (2.0 * d)).abs() < 1e-8);
         }
+    }
+
+    #[test]
+    fn reversed_and_shifted_are_what_they_say() {
+        let spline = table(&[[-3.0, 4.0], [-1.0, -1.0], [0.0, 0.5], [2.5, 3.0]]);
+        for x in [-4.0, -2.0, -0.5, 0.0, 1.0, 3.0] {
+            assert_eq!(spline.reversed().at(x).value, -spline.at(-x).value);
+            assert!((spline.shifted(0.5).at(x).value - spline.at(x - 0.5).value).abs() < 1e-14);
+        }
+        assert_eq!(spline.reversed().reversed(), spline);
     }
 
     #[test]

@@ -6,10 +6,11 @@ use toml::Spanned;
 
 use super::axes::{Axes, Side};
 use super::diagnostics::Report;
-use super::read::{FromToml, Section};
-use super::units::{AngleUnit, LengthUnit};
+use super::parts::read_points;
+use super::read::Section;
+use super::units_file::UnitsFile;
 
-/// A model file as written. What is missing or wrong is `None` and has been noted.
+/// What a model file says of geometry, as written. What is missing or wrong is `None` and has been noted.
 pub(super) struct ModelFile {
     pub(super) name: Option<String>,
     pub(super) description: Option<String>,
@@ -17,8 +18,7 @@ pub(super) struct ModelFile {
     pub(super) architecture: Option<Spanned<String>>,
     pub(super) axes: Option<Spanned<Axes>>,
     pub(super) side: Option<Spanned<Side>>,
-    pub(super) length: Option<Spanned<LengthUnit>>,
-    pub(super) angle: Option<Spanned<AngleUnit>>,
+    pub(super) units: UnitsFile,
     /// `None` without a `[points]` section.
     pub(super) points: Option<PointsFile>,
     pub(super) wheel: WheelFile,
@@ -68,7 +68,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> ModelFile {
     let axes = root.choice("axes", "axis system", Axes::CHOICES, axes_hint, report);
     let side_hint = ": the side of the vehicle that the points describe";
     let side = root.choice("side", "side", Side::CHOICES, side_hint, report);
-    let (length, angle) = units(root, report);
+    let units = UnitsFile::read(root, report);
     let points = points(root, report);
     let wheel = wheel(root, report);
     ModelFile {
@@ -78,37 +78,18 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> ModelFile {
         architecture,
         axes,
         side,
-        length,
-        angle,
+        units,
         points,
         wheel,
     }
 }
 
-type UnitsFile = (Option<Spanned<LengthUnit>>, Option<Spanned<AngleUnit>>);
-
-fn units(root: &mut Section, report: &mut Report) -> UnitsFile {
-    let help = "add a section `[units]` with `length = \"mm\"` and `angle = \"deg\"`";
-    let Some(mut section) = root.section("units", help, report) else {
-        return (None, None);
-    };
-    let length = section.choice("length", "unit of length", LengthUnit::CHOICES, "", report);
-    let angle = section.choice("angle", "unit of angle", AngleUnit::CHOICES, "", report);
-    section.finish(report);
-    (length, angle)
-}
-
 fn points(root: &mut Section, report: &mut Report) -> Option<PointsFile> {
     let help = "add a section `[points]` with lines such as `lca_front = [200.0, 420.0, -270.0]`";
     let section = root.section("points", help, report)?;
-    let mut entries = vec![];
-    for (name, value) in section.entries() {
-        let what = format!("the point `{}`", name.get_ref());
-        let position = <[f64; 3]>::read(value, &what, report);
-        let position = position.map(|position| Spanned::new(value.span(), position));
-        entries.push(PointFile { name, position });
-    }
-    Some(PointsFile { span: section.span(), entries })
+    let points = read_points(&section, report);
+    let entries = points.into_iter().map(|(name, position)| PointFile { name, position });
+    Some(PointsFile { span: section.span(), entries: entries.collect() })
 }
 
 fn wheel(root: &mut Section, report: &mut Report) -> WheelFile {

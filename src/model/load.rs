@@ -3,10 +3,11 @@
 use std::io;
 use std::path::Path;
 
-use super::Model;
 use super::architecture::Architecture;
 use super::diagnostics::{Mistake, ModelDiagnostics, Report, SourceFile};
+use super::read::Section;
 use super::suggest;
+use super::{MechanismModel, Model};
 use toml::Spanned;
 
 impl Model {
@@ -15,11 +16,7 @@ impl Model {
     /// # Errors
     /// [`ModelDiagnostics`] with every mistake of the file and of its architecture.
     pub fn load(path: impl AsRef<Path>) -> Result<Self, ModelDiagnostics> {
-        let path = path.as_ref();
-        let name = path.display().to_string();
-        let text = read_text(path).map_err(|(message, help)| {
-            ModelDiagnostics::new(&name, vec![Mistake::without_place(message, help)])
-        })?;
+        let (name, text) = read_file(path.as_ref())?;
         Self::parse(&name, &text)
     }
 
@@ -31,11 +28,91 @@ impl Model {
     pub fn parse(name: &str, text: &str) -> Result<Self, ModelDiagnostics> {
         let file = SourceFile::new(name, text);
         let mut report = Report::new(file.clone());
-        let read = super::read::read_file(&file, &mut report, |root, report| {
-            Some(super::file::read(root, report))
+        let model = super::read::read_file(&file, &mut report, |root, report| {
+            if is_mechanism(root) {
+                note_mechanism(root, report);
+                return None;
+            }
+            model(root, report)
         });
-        let model = read.and_then(|file| super::resolve::resolve(file, &mut report));
         super::finish(model, report)
+    }
+}
+
+/// What a file describes.
+#[derive(Clone, Debug)]
+#[allow(clippy::large_enum_variant)] // One of them is loaded at a time.
+pub enum Document {
+    /// One corner of a vehicle, with an architecture.
+    Suspension(Model),
+    /// A mechanism of one's own.
+    Mechanism(MechanismModel),
+}
+
+impl Document {
+    /// Reads a suspension or a mechanism file.
+    ///
+    /// # Errors
+    /// [`ModelDiagnostics`] with every mistake of the file.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, ModelDiagnostics> {
+        let (name, text) = read_file(path.as_ref())?;
+        Self::parse(&name, &text)
+    }
+
+    /// Reads the text of a file, as [`Model::parse`].
+    ///
+    /// # Errors
+    /// [`ModelDiagnostics`] with every mistake of the text.
+    pub fn parse(name: &str, text: &str) -> Result<Self, ModelDiagnostics> {
+        let file = SourceFile::new(name, text);
+        let mut report = Report::new(file.clone());
+        let document = super::read::read_file(&file, &mut report, |root, report| {
+            if is_mechanism(root) {
+                return super::mechanism_file::read(root, report).map(Self::Mechanism);
+            }
+            if !root.has("architecture") {
+                let span = root.span();
+                report
+                    .mistake(&span, "the file names neither `architecture` nor `ground`", "in this file")
+                    .help(
+                        "a suspension names its `architecture`, such as `architecture = \"double-wishbone\"`; \
+                         a mechanism of its own names the body that never moves: `ground = \"ground\"`",
+                    );
+                root.skip();
+                return None;
+            }
+            model(root, report).map(Self::Suspension)
+        });
+        super::finish(document, report)
+    }
+}
+
+fn model(root: &mut Section, report: &mut Report) -> Option<Model> {
+    let file = super::file::read(root, report);
+    super::resolve::resolve(root, file, report)
+}
+
+/// A mechanism has a ground of its own; that of a suspension comes with the architecture.
+fn is_mechanism(root: &Section) -> bool {
+    root.has("ground") && !root.has("architecture")
+}
+
+fn note_mechanism(root: &mut Section, report: &mut Report) {
+    let span = root.value("ground").map_or(root.span(), Spanned::span);
+    report
+        .mistake(&span, "this file is a mechanism, not a suspension", "a ground of its own")
+        .help("use a command for mechanisms, or name the `architecture` of the suspension");
+    root.skip();
+}
+
+/// The name and the text of a file.
+fn read_file(path: &Path) -> Result<(String, String), ModelDiagnostics> {
+    let name = path.display().to_string();
+    match read_text(path) {
+        Ok(text) => Ok((name, text)),
+        Err((message, help)) => {
+            Err(ModelDiagnostics::new(&name, vec![Mistake::without_place(message, help)]))
+        }
     }
 }
 

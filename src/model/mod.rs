@@ -1,4 +1,4 @@
-//! Model files: the text side of suspensions.
+//! Model files: the text side of suspensions and mechanisms.
 //!
 #![doc = include_str!("../../docs/models.md")]
 
@@ -9,21 +9,37 @@ mod checks;
 mod diagnostics;
 mod file;
 mod load;
+mod loads;
+mod loads_file;
+mod mechanism_file;
+mod mirror;
+mod names;
+mod parts;
+mod quantity;
 mod read;
 mod resolve;
+mod setup;
 mod suggest;
 mod suspension;
 mod units;
+mod units_file;
 
 pub use alignment::Alignment;
 pub use architecture::{Architecture, BodyRole, PointRole, SteerAxis};
 pub use axes::{Axes, Side};
 pub use diagnostics::{Mistake, ModelDiagnostics};
-pub use suspension::{Drive, Suspension, Wheel};
-pub use units::{AngleUnit, LengthUnit, Units};
+pub use load::Document;
+pub use loads::{JointBushing, Tyre, TyreContact};
+pub use mechanism_file::MechanismModel;
+pub use quantity::Quantity;
+pub use setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
+pub use suspension::{Suspension, Wheel};
+pub use units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, Units};
 
-use crate::vector::{scale, sub, unit};
+use crate::mechanism::{Force, MassProperties};
+use crate::vector::{add, scale, sub, unit};
 use diagnostics::Report;
+use loads::Loads;
 
 /// One corner of a vehicle, in SI units and ISO 8855 axes (x forward, y left, z up).
 #[derive(Clone, Debug)]
@@ -46,8 +62,9 @@ pub struct Model {
     pub wheel_radius: f64,
     /// How the static spin axis is given.
     pub spin: SpinAxis,
-    /// Points required by the architecture, in its order, then optional ones.
+    /// Points required by the architecture, in its order, then optional ones, then the model's own.
     points: Vec<NamedPoint>,
+    loads: Loads,
 }
 
 /// A hard point.
@@ -69,7 +86,8 @@ pub enum SpinAxis {
 }
 
 impl Model {
-    /// The hard points: those that the architecture requires, in its order, then optional ones.
+    /// The hard points: those that the architecture requires, in its order, then optional ones,
+    /// then those that only forces of the model name.
     pub fn points(&self) -> &[NamedPoint] {
         &self.points
     }
@@ -91,16 +109,58 @@ impl Model {
         found
     }
 
-    /// The same suspension on the other side of the vehicle: y changes its sign,
-    /// toe and camber keep their values.
-    pub fn mirrored(&self) -> Self {
-        let mut other = self.clone();
-        other.side = self.side.other();
-        for point in &mut other.points {
-            // Not a plain negation, which would turn 0 into −0.
-            point.position[1] = 0.0 - point.position[1];
-        }
-        other
+    /// Acceleration of gravity (m/s²), downward.
+    pub fn gravity(&self) -> f64 {
+        self.loads.gravity
+    }
+
+    /// The force elements of `[[forces]]`, with the numbers of bodies of a fixed chassis.
+    pub fn forces(&self) -> &[Force] {
+        &self.loads.forces
+    }
+
+    /// The bushings of `[bushings]`, which stand for joints.
+    pub fn bushings(&self) -> &[JointBushing] {
+        &self.loads.bushings
+    }
+
+    /// The names of the joints that bushings stand for, each once.
+    pub fn bushed_joints(&self) -> Vec<&str> {
+        let joints = self.architecture.joints.iter().enumerate();
+        let bushed = |index| self.loads.bushings.iter().any(|bushing| bushing.joint == index);
+        joints.filter(|(index, _)| bushed(*index)).map(|(_, joint)| joint.name.as_str()).collect()
+    }
+
+    /// Mass properties by the name of the body, `None` where the model gives none.
+    pub fn mass(&self, body: &str) -> Option<MassProperties> {
+        let index = self.architecture.bodies.iter().position(|role| role.name == body)?;
+        self.loads.masses.get(index).copied().flatten()
+    }
+
+    /// The tyre.
+    pub fn tyre(&self) -> Option<&Tyre> {
+        self.loads.tyre.as_ref()
+    }
+
+    /// Mass (kg) of the chassis on its slide.
+    pub fn sprung_mass(&self) -> Option<f64> {
+        self.loads.sprung_mass
+    }
+
+    /// Whether anything but the tyre acts on the bodies: force elements, bushings or weights.
+    pub fn has_forces(&self) -> bool {
+        let weights = self.loads.gravity != 0.0 && self.loads.masses.iter().any(Option::is_some);
+        weights || !self.loads.forces.is_empty() || !self.loads.bushings.is_empty()
+    }
+
+    /// Whether the wheel can stand on a tyre.
+    pub fn has_tyre(&self) -> bool {
+        self.loads.tyre.is_some()
+    }
+
+    /// Whether the chassis can move on a vertical slide.
+    pub fn is_quarter_car(&self) -> bool {
+        self.loads.sprung_mass.is_some()
     }
 
     /// The unit spin axis at the design position, pointing outboard, in ISO 8855 axes.
@@ -124,6 +184,14 @@ impl Model {
             SpinAxis::Point(_) => Alignment::of_spin_axis(self.spin_axis()),
         }
     }
+}
+
+/// The mean of some points.
+fn mean(points: impl ExactSizeIterator<Item = [f64; 3]>) -> Option<[f64; 3]> {
+    #[allow(clippy::cast_precision_loss)] // A body has a handful of points.
+    let number = points.len() as f64;
+    let sum = points.reduce(add)?;
+    Some(sum.map(|sum| sum / number))
 }
 
 /// The value, if reading it left no mistakes.

@@ -10,6 +10,10 @@ use super::axes::{Axes, Side};
 use super::checks::{self, Geometry};
 use super::diagnostics::Report;
 use super::file::{ModelFile, PointsFile, SpinFile};
+use super::loads_file::LoadsFile;
+use super::names::{Names, Unavailable};
+use super::parts::Parts;
+use super::read::Section;
 use super::units::{AngleUnit, Units};
 use super::{Model, NamedPoint, SpinAxis, load, suggest};
 
@@ -20,23 +24,27 @@ struct Placed {
     position: [f64; 3],
 }
 
-pub(super) fn resolve(file: ModelFile, report: &mut Report) -> Option<Model> {
+pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) -> Option<Model> {
     let architecture = file.architecture.as_ref().and_then(|name| load::architecture(name, report));
+    let names = names(architecture.as_ref(), file.points.as_ref());
+    let axes = file.axes.as_ref().map(|axes| *axes.get_ref());
+    let parts = Parts { names: &names, units: &file.units, axes: axes.unwrap_or(Axes::Iso8855) };
+    let joints = architecture.as_ref().map_or(&[][..], |architecture| &architecture.joints);
+    let loads = LoadsFile::read(root, &parts, joints, report);
     let points = match (&architecture, &file.points) {
-        (Some(architecture), Some(points)) => place(architecture, points, report),
+        (Some(architecture), Some(points)) => place(architecture, &names, points, report),
         _ => None,
     };
-    let spin = match (&file.wheel.spin, &file.angle) {
+    let spin = match (&file.wheel.spin, file.units.angle()) {
         (Some(SpinFile::Alignment { toe, camber }), Some(unit)) => {
-            alignment(toe, camber, *unit.get_ref(), report)
+            alignment(toe, camber, unit, report)
         }
         (Some(SpinFile::Point(name)), _) => spin_point(name, file.points.as_ref(), report),
         _ => None,
     };
-    let units =
-        Units { length: *file.length.as_ref()?.get_ref(), angle: *file.angle.as_ref()?.get_ref() };
+    let units = file.units.units()?;
     let radius = file.wheel.radius.as_ref()?;
-    let (axes, side) = (*file.axes.as_ref()?.get_ref(), file.side.as_ref()?);
+    let (axes, side) = (axes?, file.side.as_ref()?);
     let (architecture, points, spin) = (architecture?, points?, spin?);
 
     let (points, spans) = to_si(&points, units, axes);
@@ -44,13 +52,14 @@ pub(super) fn resolve(file: ModelFile, report: &mut Report) -> Option<Model> {
         name: file.name?,
         description: file.description,
         source: file.source,
-        architecture,
         axes,
         units,
         side: *side.get_ref(),
         wheel_radius: units.length.to_metres(*radius.get_ref()),
         spin,
         points,
+        loads: loads.loads(&architecture, units.length.to_metres(*radius.get_ref())),
+        architecture,
     };
     let spin_span = match &file.wheel.spin {
         Some(SpinFile::Point(name)) => name.span(),
@@ -60,18 +69,46 @@ pub(super) fn resolve(file: ModelFile, report: &mut Report) -> Option<Model> {
         model: &model,
         points: spans,
         side: side.span(),
-        length: file.length.as_ref()?.span(),
+        length: file.units.length.as_ref()?.span(),
         radius: radius.span(),
         spin: spin_span,
+        loads: loads.places(),
     };
     checks::check(&geometry, report);
     Some(model)
 }
 
-/// Puts the points of the file into the order of the architecture. Notes points
-/// that are missing, all together, and names that the architecture does not know.
+/// What forces may name. The points that the architecture requires come first, then the optional ones
+/// that the file has, then those that are the model's own; they keep these numbers.
+fn names(architecture: Option<&Architecture>, file: Option<&PointsFile>) -> Names {
+    let entries = file.map_or(&[][..], |file| &file.entries);
+    let given = entries.iter().map(|point| point.name.get_ref());
+    let Some(architecture) = architecture else {
+        return Names::new(String::new(), vec![], given.cloned().collect());
+    };
+    let optional = architecture.optional_points();
+    let required = architecture.points().iter().map(|role| role.name.clone());
+    let present =
+        optional.iter().map(|role| &role.name).filter(|name| given.clone().any(|g| g == *name));
+    let mut points: Vec<String> = required.chain(present.cloned()).collect();
+    let own: Vec<String> = given.filter(|name| !points.contains(name)).cloned().collect();
+    points.extend(own);
+    let absent = optional.iter().filter(|role| !points.contains(&role.name));
+    let unavailable = absent.map(|role| Unavailable {
+        name: role.name.clone(),
+        why: format!("the point `{}` is not in [points]", role.name),
+        help: format!("add `{} = [x, y, z]  # {}`", role.name, role.meaning),
+    });
+    let unavailable = unavailable.collect();
+    let bodies = architecture.bodies().iter().map(|body| body.name.clone()).collect();
+    Names::new(architecture.ground().to_owned(), bodies, points).with_unavailable(unavailable)
+}
+
+/// Puts the points of the file into the order of their numbers. Notes points that are missing,
+/// all together, and names that neither the architecture nor a force knows.
 fn place(
     architecture: &Architecture,
+    names: &Names,
     file: &PointsFile,
     report: &mut Report,
 ) -> Option<Vec<Placed>> {
@@ -82,7 +119,7 @@ fn place(
     let mut missing: Vec<&str> = required.iter().copied().filter(|name| !given(name)).collect();
     for point in &file.entries {
         let word = point.name.get_ref().as_str();
-        if required.contains(&word) || optional.contains(&word) {
+        if required.contains(&word) || optional.contains(&word) || names.is_used(word) {
             continue;
         }
         let free = optional.iter().copied().filter(|name| !given(name));
@@ -90,7 +127,7 @@ fn place(
         let help = match meant {
             Some(name) => format!("did you mean `{name}`?"),
             None => format!(
-                "the points are {}, and may be {}",
+                "the points are {}, and may be {}, or any that a force names",
                 suggest::listed(&required),
                 suggest::listed(&optional)
             ),
@@ -102,18 +139,14 @@ fn place(
     }
     note_missing(architecture, &missing, file, report);
 
-    let placed = required.iter().chain(&optional).filter_map(|name| {
+    // A point without a place would change the numbers of those behind it.
+    let placed = names.points().map(|name| {
         let point = file.entries.iter().find(|point| point.name.get_ref() == name)?;
         let position = point.position.as_ref()?;
-        Some(Placed {
-            name: (*name).to_owned(),
-            span: position.span(),
-            position: *position.get_ref(),
-        })
+        let (span, position) = (position.span(), *position.get_ref());
+        Some(Placed { name: name.to_owned(), span, position })
     });
-    let placed: Vec<Placed> = placed.collect();
-    let complete = required.iter().all(|name| placed.iter().any(|p| p.name == *name));
-    complete.then_some(placed)
+    placed.collect()
 }
 
 fn note_missing(

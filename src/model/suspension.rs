@@ -1,29 +1,12 @@
 //! From a model to the mechanism that the solver knows.
 
-use super::{Model, SpinAxis, SteerAxis};
+use super::architecture::WheelRole;
+use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
+use super::{Model, SpinAxis, SteerAxis, TyreContact, mean};
 use crate::mechanism::{
-    BodyId, Direction, DriverId, DriverKind, JointKind, Mechanism, MechanismError, PointId,
+    BodyId, Contact, Direction, DriverId, DriverKind, Force, ForceId, ForceKind, JointKind,
+    MassProperties, Mechanism, MechanismError, PointId,
 };
-
-/// Which height the travel driver prescribes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Drive {
-    /// Height of the wheel centre, as Adams/Car does.
-    #[default]
-    WheelCenter,
-    /// Height of the contact patch, the lowest point of the tyre's disc, as Lotus does.
-    ContactPatch,
-}
-
-impl Drive {
-    /// The name on the command line.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::WheelCenter => "wheel-center",
-            Self::ContactPatch => "contact-patch",
-        }
-    }
-}
 
 /// A mechanism together with what makes it a suspension, in SI units and ISO 8855 axes.
 #[derive(Clone, Debug)]
@@ -41,6 +24,11 @@ pub struct Suspension {
     pub travel: DriverId,
     /// Which height [`Suspension::travel`] prescribes.
     pub drive: Drive,
+    /// The tyre, where the wheel stands on it. The travel driver is there all the same: whoever
+    /// looks for an equilibrium on the tyre releases it.
+    pub tyre: Option<ForceId>,
+    /// The chassis: the ground, or the body on the slide.
+    pub chassis: BodyId,
 }
 
 /// The wheel of a suspension. Its spin is locked to the body that carries it.
@@ -58,34 +46,58 @@ pub struct Wheel {
     pub radius: f64,
 }
 
+/// The numbers of bodies in the mechanism: with the chassis on a slide, the road is the ground
+/// and every body of the architecture stands one further on.
+#[derive(Clone, Copy)]
+struct Numbering(usize);
+
+impl Numbering {
+    fn body(self, body: BodyId) -> BodyId {
+        BodyId(body.0 + self.0)
+    }
+
+    /// The bodies of a force. Loads and tyres act from the ground, whatever that is.
+    fn bodies(self, force: &Force) -> (BodyId, BodyId) {
+        let from_ground = matches!(
+            force.kind,
+            ForceKind::Tyre { .. } | ForceKind::PointForce { .. } | ForceKind::Moment { .. }
+        );
+        let i = if from_ground { BodyId::GROUND } else { self.body(force.i) };
+        (i, self.body(force.j))
+    }
+
+    fn steer_axis(self, axis: SteerAxis) -> SteerAxis {
+        let end = |(point, body)| (point, self.body(body));
+        SteerAxis { lower: end(axis.lower), upper: end(axis.upper) }
+    }
+}
+
 impl Model {
     /// The mechanism of this model at its design position.
     ///
     /// # Errors
-    /// [`MechanismError`] where the geometry has no meaning. A model straight
-    /// from a file has been checked; one whose points were moved may fail.
-    pub fn suspension(&self, drive: Drive) -> Result<Suspension, MechanismError> {
+    /// [`SuspensionError`] where the model lacks what the setup needs, or where the geometry has
+    /// no meaning. A model straight from a file has been checked; one whose points were moved may fail.
+    pub fn suspension(&self, setup: &Setup) -> Result<Suspension, SuspensionError> {
         let architecture = &self.architecture;
-        let mut mechanism = Mechanism::new(&architecture.ground);
-        // The joints of the architecture number points and bodies in this order.
-        for point in &self.points {
-            mechanism.add_point(&point.name, point.position)?;
-        }
+        let (mut mechanism, numbers) = self.ground(setup.chassis)?;
         for (index, body) in architecture.bodies.iter().enumerate() {
-            mechanism.add_body(&body.name, self.body_origin(BodyId(index + 1)))?;
+            let id = BodyId(index + 1);
+            let body = mechanism.add_body(&body.name, self.body_origin(id))?;
+            if let Some(mass) = self.loads.mass(id) {
+                mechanism.set_mass(body, mass)?;
+            }
         }
-        for joint in &architecture.joints {
-            mechanism.add_joint(&joint.name, joint.i, joint.j, joint.kind)?;
-        }
-        let rack = self.add_rack_driver(&mut mechanism)?;
+        self.add_joints(&mut mechanism, numbers, setup.kinematic)?;
+        let rack = self.add_rack_driver(&mut mechanism, numbers)?;
         let wheel = Wheel {
-            body: architecture.wheel.body,
+            body: numbers.body(architecture.wheel.body),
             center: architecture.wheel.center,
             spin: self.spin_direction(),
             spin_axis: self.spin_axis(),
             radius: self.wheel_radius,
         };
-        let kind = match drive {
+        let kind = match setup.drive {
             Drive::WheelCenter => DriverKind::Height { at: wheel.center },
             Drive::ContactPatch => DriverKind::PatchHeight {
                 center: wheel.center,
@@ -94,14 +106,81 @@ impl Model {
             },
         };
         let travel = mechanism.add_driver("travel", BodyId::GROUND, wheel.body, kind)?;
+        let tyre = match (setup.support, self.tyre_force()) {
+            (WheelSupport::Held, _) => None,
+            (WheelSupport::Tyre, Some(tyre)) => Some(add_force(&mut mechanism, numbers, &tyre)?),
+            (WheelSupport::Tyre, None) => return Err(SuspensionError::NoTyre(self.name.clone())),
+        };
         Ok(Suspension {
             mechanism,
             wheel,
-            steer_axis: architecture.steer_axis,
+            steer_axis: architecture.steer_axis.map(|axis| numbers.steer_axis(axis)),
             rack,
             travel,
-            drive,
+            drive: setup.drive,
+            tyre,
+            chassis: numbers.body(BodyId::GROUND),
         })
+    }
+
+    /// The points, and the chassis as ground or on its slide.
+    fn ground(&self, chassis: Chassis) -> Result<(Mechanism, Numbering), SuspensionError> {
+        let name = &self.architecture.ground;
+        let mut mechanism = Mechanism::new(if chassis == Chassis::Slide { "road" } else { name });
+        mechanism.set_gravity([0.0, 0.0, 0.0 - self.loads.gravity])?;
+        for point in &self.points {
+            mechanism.add_point(&point.name, point.position)?;
+        }
+        if chassis == Chassis::Fixed {
+            return Ok((mechanism, Numbering(0)));
+        }
+        let Some(mass) = self.loads.sprung_mass else {
+            return Err(SuspensionError::NoQuarterCar(self.name.clone()));
+        };
+        let center = self.body_origin(BodyId::GROUND);
+        let body = mechanism.add_body(name, center)?;
+        // It cannot turn, so its inertia does not count.
+        mechanism.set_mass(body, MassProperties { mass, center, inertia: [0.0; 6] })?;
+        let points = self.architecture.joint_points(BodyId::GROUND);
+        let at = points.first().copied().unwrap_or(self.architecture.wheel.center);
+        let axis = Direction::Fixed([0.0, 0.0, 1.0]);
+        let kind = JointKind::Translational { at, axis };
+        mechanism.add_joint("chassis_slide", BodyId::GROUND, body, kind)?;
+        Ok((mechanism, Numbering(body.0)))
+    }
+
+    /// The joints, or bushings that stand for them, and the other forces.
+    fn add_joints(
+        &self,
+        mechanism: &mut Mechanism,
+        numbers: Numbering,
+        kinematic: bool,
+    ) -> Result<(), MechanismError> {
+        let bushings = if kinematic { &[][..] } else { &self.loads.bushings };
+        for (index, joint) in self.architecture.joints.iter().enumerate() {
+            if bushings.iter().all(|bushing| bushing.joint != index) {
+                let (i, j) = (numbers.body(joint.i), numbers.body(joint.j));
+                mechanism.add_joint(&joint.name, i, j, joint.kind)?;
+            }
+        }
+        let bushings = bushings.iter().map(|bushing| &bushing.force);
+        for force in self.loads.forces.iter().chain(bushings) {
+            add_force(mechanism, numbers, force)?;
+        }
+        Ok(())
+    }
+
+    /// The tyre as a force element with the numbers of the architecture.
+    pub(super) fn tyre_force(&self) -> Option<Force> {
+        let tyre = self.loads.tyre.as_ref()?;
+        let WheelRole { body, center } = self.architecture.wheel;
+        let contact = match tyre.contact {
+            TyreContact::WheelCenter => Contact::Center(center),
+            TyreContact::ContactPatch => Contact::Patch { center, spin: self.spin_direction() },
+        };
+        let (free_radius, ground, law) = (tyre.free_radius, tyre.ground, tyre.law.clone());
+        let kind = ForceKind::Tyre { contact, free_radius, ground, law };
+        Some(Force { name: "tyre".to_owned(), i: BodyId::GROUND, j: body, kind })
     }
 
     /// The mean of the points at which a body is held. It is a constant of the
@@ -113,18 +192,13 @@ impl Model {
             points.sort_unstable();
             points.dedup();
         }
-        let sum = points.iter().fold([0.0; 3], |sum, point| {
-            let position = self.points[point.0].position;
-            std::array::from_fn(|i| sum[i] + position[i])
-        });
-        #[allow(clippy::cast_precision_loss)] // A body has a handful of points.
-        let number = points.len() as f64;
-        sum.map(|sum| sum / number)
+        mean(points.iter().map(|point| self.points[point.0].position)).unwrap_or_default()
     }
 
     fn add_rack_driver(
         &self,
         mechanism: &mut Mechanism,
+        numbers: Numbering,
     ) -> Result<Option<DriverId>, MechanismError> {
         let Some(index) = self.architecture.rack else {
             return Ok(None);
@@ -135,7 +209,8 @@ impl Model {
         };
         let along = Direction::Fixed(self.axes.to_iso([0.0, 1.0, 0.0]));
         let kind = DriverKind::Displacement { at, along };
-        mechanism.add_driver("rack", joint.i, joint.j, kind).map(Some)
+        let (i, j) = (numbers.body(joint.i), numbers.body(joint.j));
+        mechanism.add_driver("rack", i, j, kind).map(Some)
     }
 
     /// The spin axis as the mechanism knows it: it follows the points that define it.
@@ -154,4 +229,13 @@ impl Model {
             Direction::Between(center, PointId(index))
         }
     }
+}
+
+fn add_force(
+    mechanism: &mut Mechanism,
+    numbers: Numbering,
+    force: &Force,
+) -> Result<ForceId, MechanismError> {
+    let (i, j) = numbers.bodies(force);
+    mechanism.add_force(&force.name, i, j, force.kind.clone())
 }

@@ -72,17 +72,12 @@ impl Equilibrium {
     pub fn released(system: &System, released: &[DriverId]) -> Self {
         let position = system.position();
         let expansion = system.expansion();
-        let mut left_out: Vec<usize> = (0..expansion.equation_count())
-            .filter(|&equation| position.numbering().row(equation).is_none())
-            .collect();
-        let free = |&equation: &usize| matches!(expansion.owner(equation), Owner::Driver(driver) if released.contains(&driver));
-        left_out.extend((0..expansion.equation_count()).filter(free));
-        let numbering = Numbering::new(expansion, &left_out);
+        let numbering = system.numbering_without(released);
         let elements = Elements::new(expansion);
         let kkt = Kkt::with_forces(system.terms().clone(), elements, Inertias::none(), &numbering);
         let equations = position.sizes().len();
         let unknowns = kkt.unknowns();
-        let drivers = (0..system.mechanism().drivers().len()).map(DriverId);
+        let drivers = system.mechanism().driver_ids();
         Self {
             linear: solver(kkt.pattern()),
             step: vec![0.0; kkt.pattern().rows()],
@@ -172,7 +167,7 @@ impl Equilibrium {
 
     /// The multiplier of a driver: the force (N) or moment (N·m) −λ that it takes to hold it.
     pub fn driver_multiplier(&self, driver: DriverId) -> f64 {
-        self.problem.lambda[self.driver_equation(driver)]
+        self.problem.lambda[self.equation_of(driver)]
     }
 
     /// The value (m or rad, from the design position) that a driver has.
@@ -231,18 +226,13 @@ impl Equilibrium {
         Ok(DriverTangent { coordinates, multipliers, numbering: &problem.numbering })
     }
 
-    /// The equation of a driver.
-    pub(super) fn driver_equation(&self, driver: DriverId) -> usize {
-        let equations = 0..self.expansion.equation_count();
-        let mut equations = equations.rev();
-        equations
-            .find(|&equation| self.expansion.owner(equation) == Owner::Driver(driver))
-            .expect("every driver has an equation")
-    }
-
     /// The equation of a driver, for [`DriverTangent::multiplier`].
+    ///
+    /// # Panics
+    /// If the driver belongs to another mechanism.
     pub fn equation_of(&self, driver: DriverId) -> usize {
-        self.driver_equation(driver)
+        let mut equations = self.expansion.equations_of(Owner::Driver(driver));
+        equations.next().expect("every driver has an equation")
     }
 }
 

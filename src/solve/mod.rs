@@ -39,6 +39,7 @@ mod wrench;
 
 pub use convergence::Tolerances;
 pub use freedom::{FreeMotion, FreedomReport, RedundantEquation};
+pub use motion::{point_position, rotation};
 pub use statics::{StaticFailure, StaticReport};
 pub use stop::{Stop, StopReason};
 pub use system::{StepReport, System, SystemError};

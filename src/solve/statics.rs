@@ -324,17 +324,15 @@ impl Equilibrium {
         Ok(())
     }
 
-    /// Refuses force elements without a value at the current state.
+    /// Refuses force elements without a value or a direction at the current state.
     fn check_values(&mut self) -> Result<(), StaticFailure> {
         self.problem.residual();
-        let elements = self.elements();
-        for (owner, values) in elements.owners() {
-            let Owner::Force(force) = owner else { continue };
-            for response in &elements.responses()[values] {
-                if !response.force.is_finite() || !response.by_value.is_finite() {
-                    let force = self.mechanism.forces()[force.index()].name.clone();
-                    return Err(StaticFailure::NotFinite { force, value: response.force });
-                }
+        for force in self.mechanism.force_ids() {
+            let wrench = self.loaded().force(force);
+            let numbers = wrench.force.iter().chain(&wrench.moment);
+            if let Some(&value) = numbers.into_iter().find(|number| !number.is_finite()) {
+                let force = self.mechanism.forces()[force.index()].name.clone();
+                return Err(StaticFailure::NotFinite { force, value });
             }
         }
         Ok(())

@@ -214,11 +214,7 @@ impl System {
     /// # Panics
     /// If the body belongs to another mechanism.
     pub fn rotation(&self, body: BodyId) -> [[f64; 3]; 3] {
-        let q = &self.state()[body.index()];
-        let p = [q[3], q[4], q[5], q[6]];
-        let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-            .map(|axis| crate::vector::rotate(p, axis));
-        std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]))
+        motion::rotation(self.state(), body)
     }
 
     pub(super) fn position(&self) -> &Position {

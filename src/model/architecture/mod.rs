@@ -1,13 +1,13 @@
 //! Suspension topologies as data: which points, bodies and joints a suspension has.
 
 mod check;
-mod joints;
 mod read;
 
 use include_dir::{Dir, include_dir};
 
 use super::diagnostics::{ModelDiagnostics, Report, SourceFile};
-use crate::mechanism::{BodyId, Direction, Joint, JointKind, PointId};
+use super::parts::joint_points;
+use crate::mechanism::{BodyId, Joint, PointId};
 
 /// The architectures that come with the program, so that an installed binary has them.
 static BUILT_IN: Dir = include_dir!("$CARGO_MANIFEST_DIR/architectures");
@@ -144,36 +144,6 @@ impl Architecture {
     /// The points at which joints hold a body, each once. A line that the body
     /// shares with its neighbour counts with both of its points.
     pub(crate) fn joint_points(&self, body: BodyId) -> Vec<PointId> {
-        let mut points = vec![];
-        for joint in &self.joints {
-            if body != joint.i && body != joint.j {
-                continue;
-            }
-            points.extend(match joint.kind {
-                JointKind::Revolute { at, axis } | JointKind::Cylindrical { at, axis } => {
-                    let [from, to] = ends(axis, at);
-                    vec![at, from, to]
-                }
-                JointKind::Link { on_i, .. } if body == joint.i => vec![on_i],
-                JointKind::Link { on_j, .. } => vec![on_j],
-                JointKind::Spherical { at }
-                | JointKind::Universal { at, .. }
-                | JointKind::Translational { at, .. }
-                | JointKind::Fixed { at }
-                | JointKind::InPlane { at, .. }
-                | JointKind::InLine { at, .. } => vec![at],
-            });
-        }
-        points.sort_unstable();
-        points.dedup();
-        points
-    }
-}
-
-/// The points of a direction, or `at` twice for a constant direction.
-fn ends(direction: Direction, at: PointId) -> [PointId; 2] {
-    match direction {
-        Direction::Between(from, to) => [from, to],
-        Direction::Fixed(_) => [at, at],
+        joint_points(&self.joints, body)
     }
 }

@@ -4,20 +4,24 @@ use std::ops::Range;
 
 use toml::Spanned;
 
-use super::{Architecture, BodyRole, PointRole, SteerAxis, WheelRole, check, joints};
+use super::{Architecture, BodyRole, PointRole, SteerAxis, WheelRole, check};
 use crate::mechanism::{BodyId, Joint, JointKind, PointId};
+use crate::model::axes::Axes;
 use crate::model::diagnostics::Report;
+use crate::model::names::{Names, Unavailable};
+use crate::model::parts::{Parts, Y, check_name};
 use crate::model::read::{FromToml, Section, as_section};
 use crate::model::suggest;
+use crate::model::units_file::UnitsFile;
 
-/// The points and bodies that joints may name, with their places in the text.
-pub(super) struct Names {
-    pub(super) ground: String,
-    pub(super) points: Vec<PointRole>,
-    pub(super) point_spans: Vec<Range<usize>>,
-    pub(super) optional_points: Vec<PointRole>,
-    pub(super) bodies: Vec<BodyRole>,
-    pub(super) body_spans: Vec<Range<usize>>,
+/// The points and bodies of the file, with their places in the text.
+struct Roles {
+    ground: String,
+    points: Vec<PointRole>,
+    point_spans: Vec<Range<usize>>,
+    optional_points: Vec<PointRole>,
+    bodies: Vec<BodyRole>,
+    body_spans: Vec<Range<usize>>,
 }
 
 pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architecture> {
@@ -29,8 +33,11 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
         report,
     );
     let ground = ground.map_or("chassis".to_owned(), Spanned::into_inner);
-    let names = names(root, ground, report);
-    let read_joints = joints::read(root, &names, report);
+    let roles = roles(root, ground, report);
+    let names = roles.names();
+    let units = UnitsFile::absent();
+    let parts = Parts { names: &names, units: &units, axes: Axes::Iso8855 };
+    let read_joints = parts.joints(root, report);
     let rack = rack(root, &read_joints, report);
     let wheel = wheel(root, &names, report);
     let steer_axis = steer_axis(root, &names, report);
@@ -41,26 +48,26 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
     let architecture = Architecture {
         title: title?.into_inner(),
         description: description.map(Spanned::into_inner),
-        ground: names.ground,
-        points: names.points,
-        optional_points: names.optional_points,
-        bodies: names.bodies,
+        ground: roles.ground,
+        points: roles.points,
+        optional_points: roles.optional_points,
+        bodies: roles.bodies,
         joints: read_joints.into_iter().filter_map(|(_, j)| j).collect(),
         rack,
         wheel: wheel?,
         steer_axis: steer_axis.map(Spanned::into_inner),
     };
     let places = check::Places {
-        points: &names.point_spans,
-        bodies: &names.body_spans,
+        points: &roles.point_spans,
+        bodies: &roles.body_spans,
         steer_axis: axis_span.unwrap_or(0..0),
     };
     check::check(&architecture, &places, report);
     Some(architecture)
 }
 
-fn names(root: &mut Section, ground: String, report: &mut Report) -> Names {
-    let mut names = Names {
+fn roles(root: &mut Section, ground: String, report: &mut Report) -> Roles {
+    let mut roles = Roles {
         ground,
         points: vec![],
         point_spans: vec![],
@@ -71,20 +78,20 @@ fn names(root: &mut Section, ground: String, report: &mut Report) -> Names {
     let help = "list the hard points: `lca_front = \"Lower control arm, front pivot\"`";
     if let Some(section) = root.section("points", help, report) {
         for (name, point) in points(&section, report) {
-            names.point_spans.push(name.span());
-            names.points.push(point);
+            roles.point_spans.push(name.span());
+            roles.points.push(point);
         }
         section.not_empty(help, report);
     }
     if let Some(section) = root.optional_section("optional_points", help, report) {
         for (name, point) in points(&section, report) {
-            if names.points.iter().any(|known| known.name == point.name) {
+            if roles.points.iter().any(|known| known.name == point.name) {
                 let message = format!("`{}` is both required and optional", point.name);
                 report
                     .mistake(&name.span(), message, "also in [points]")
                     .help("keep it in one of the two sections");
             }
-            names.optional_points.push(point);
+            roles.optional_points.push(point);
         }
     }
     let help = "list the moving bodies: `upright = \"Upright with hub and wheel\"`";
@@ -92,28 +99,32 @@ fn names(root: &mut Section, ground: String, report: &mut Report) -> Names {
         for (name, value) in section.entries() {
             check_name(&name, report);
             let meaning = String::read(value, &format!("`{}`", name.get_ref()), report);
-            if *name.get_ref() == names.ground {
+            if *name.get_ref() == roles.ground {
                 report
                     .mistake(&name.span(), "the ground is listed as a moving body", "the ground")
                     .help("remove this line");
             }
-            names.body_spans.push(name.span());
-            names
+            roles.body_spans.push(name.span());
+            roles
                 .bodies
                 .push(BodyRole { name: name.into_inner(), meaning: meaning.unwrap_or_default() });
         }
         section.not_empty(help, report);
     }
-    names
+    roles
 }
 
-/// Names stand in messages and in the headers of tables, so they must be visible words.
-fn check_name(name: &Spanned<String>, report: &mut Report) {
-    let word = name.get_ref();
-    if word.is_empty() || word.contains(|c: char| c.is_whitespace() || c.is_control()) {
-        report
-            .mistake(&name.span(), "a name must be one word", "not one word")
-            .help("join the words with `_`, as in `lca_front`");
+impl Roles {
+    /// What joints may name: a model may lack an optional point.
+    fn names(&self) -> Names {
+        let unavailable = self.optional_points.iter().map(|point| Unavailable {
+            name: point.name.clone(),
+            why: format!("`{}` is optional, so a model may lack it", point.name),
+            help: "move it to [points], or name a required point".to_owned(),
+        });
+        let bodies = self.bodies.iter().map(|body| body.name.clone()).collect();
+        let points = self.points.iter().map(|point| point.name.clone()).collect();
+        Names::new(self.ground.clone(), bodies, points).with_unavailable(unavailable.collect())
     }
 }
 
@@ -222,7 +233,7 @@ fn rack(
         return None;
     };
     let joint = joints[index].1.as_ref()?;
-    let along_y = matches!(joint.kind, JointKind::Translational { axis, .. } if axis == joints::Y);
+    let along_y = matches!(joint.kind, JointKind::Translational { axis, .. } if axis == Y);
     if !along_y || joint.i != BodyId::GROUND {
         let message = format!("the joint `{}` cannot be driven as a rack", name.get_ref());
         report
@@ -231,49 +242,4 @@ fn rack(
             .help("a rack joint is translational, between the ground and the rack in this order, with `axis = \"y\"`");
     }
     Some(index)
-}
-
-impl Names {
-    /// The moving body or the ground of this name.
-    pub(super) fn body(&self, name: &Spanned<String>, report: &mut Report) -> Option<BodyId> {
-        let word = name.get_ref();
-        if *word == self.ground {
-            return Some(BodyId::GROUND);
-        }
-        if self.bodies.is_empty() {
-            return None; // That the bodies are missing has been noted.
-        }
-        let found = self.bodies.iter().position(|body| body.name == *word);
-        if found.is_none() {
-            let mut known = vec![self.ground.as_str()];
-            known.extend(self.bodies.iter().map(|body| body.name.as_str()));
-            report
-                .mistake(&name.span(), format!("there is no body `{word}`"), "unknown body")
-                .help(suggest::choices(word, &known));
-        }
-        found.map(|index| BodyId(index + 1))
-    }
-
-    /// The required point of this name.
-    pub(super) fn point(&self, name: &Spanned<String>, report: &mut Report) -> Option<PointId> {
-        let word = name.get_ref();
-        if self.points.is_empty() {
-            return None; // That the points are missing has been noted.
-        }
-        let found = self.points.iter().position(|point| point.name == *word);
-        if found.is_none() {
-            let optional = self.optional_points.iter().any(|point| point.name == *word);
-            let known: Vec<&str> = self.points.iter().map(|p| p.name.as_str()).collect();
-            let (message, help) = if optional {
-                (
-                    format!("`{word}` is optional, so a model may lack it"),
-                    "move it to [points], or name a required point".to_owned(),
-                )
-            } else {
-                (format!("there is no point `{word}`"), suggest::choices(word, &known))
-            };
-            report.mistake(&name.span(), message, "unknown point").help(help);
-        }
-        found.map(PointId)
-    }
 }

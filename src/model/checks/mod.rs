@@ -2,12 +2,16 @@
 
 mod axes;
 mod degenerate;
+mod loads;
 mod plausibility;
 
 use std::ops::Range;
 
+pub(super) use loads::note;
+
 use super::Model;
 use super::diagnostics::Report;
+use super::loads_file::LoadPlaces;
 use crate::mechanism::PointId;
 use crate::vector::{norm, sub};
 
@@ -25,6 +29,8 @@ pub(super) struct Geometry<'a> {
     pub(super) radius: Range<usize>,
     /// Place of the spin axis point.
     pub(super) spin: Range<usize>,
+    /// Places of the loads.
+    pub(super) loads: LoadPlaces,
 }
 
 pub(super) fn check(geometry: &Geometry, report: &mut Report) {
@@ -40,6 +46,7 @@ pub(super) fn check(geometry: &Geometry, report: &mut Report) {
     geometry.check_bodies(report);
     geometry.check_steer_axis(report);
     geometry.check_spin_axis(report);
+    geometry.check_loads(report);
 }
 
 impl Geometry<'_> {

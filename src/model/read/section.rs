@@ -18,11 +18,12 @@ pub(crate) struct Section<'t> {
     known: Vec<&'static str>,
     /// Required keys that are not there, each with what to write.
     missing: Vec<(&'static str, String)>,
+    skipped: bool,
 }
 
 impl<'t> Section<'t> {
     pub(super) fn new(name: Option<String>, span: Range<usize>, table: &'t DeTable<'t>) -> Self {
-        Self { name, span, table, known: vec![], missing: vec![] }
+        Self { name, span, table, known: vec![], missing: vec![], skipped: false }
     }
 
     /// Where a missing key belongs: the header of the table, or the start of the file.
@@ -105,6 +106,76 @@ impl<'t> Section<'t> {
         found.map(|(_, value)| Spanned::new(text.span(), *value))
     }
 
+    /// One of a few words on which the other keys of the section depend.
+    pub(crate) fn word(
+        &mut self,
+        key: &'static str,
+        what: &str,
+        words: &[&'static str],
+        report: &mut Report,
+    ) -> Option<&'static str> {
+        let help = format!("write `{key} = …` with one of {}", suggest::listed(words));
+        let text = self.required::<String>(key, &help, report)?;
+        let found = words.iter().copied().find(|word| word == text.get_ref());
+        if found.is_none() {
+            let help = suggest::choices(text.get_ref(), words);
+            let message = format!("there is no {what} `{}`", text.get_ref());
+            report.mistake(&text.span(), message, format!("unknown {key}")).help(help);
+        }
+        found
+    }
+
+    /// As [`Section::choice`], with a default where the key is absent.
+    pub(crate) fn choice_or<T: Copy>(
+        &mut self,
+        key: &'static str,
+        what: &str,
+        choices: &[(&str, T)],
+        default: T,
+        report: &mut Report,
+    ) -> Option<T> {
+        if !self.has(key) {
+            self.known.push(key);
+            return Some(default);
+        }
+        self.choice(key, what, choices, "", report).map(Spanned::into_inner)
+    }
+
+    /// Which of some keys is there, of which there must be exactly one; `help` says what to write.
+    pub(crate) fn one_of(
+        &mut self,
+        keys: &[&'static str],
+        help: &str,
+        report: &mut Report,
+    ) -> Option<&'static str> {
+        self.known.extend_from_slice(keys);
+        let given: Vec<&'static str> = keys.iter().copied().filter(|key| self.has(key)).collect();
+        let place = self.name.as_deref().unwrap_or("the file");
+        match given[..] {
+            [key] => Some(key),
+            [] => {
+                let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
+                let message = format!("{place} lacks {}", keys.join(" or "));
+                report.mistake(&self.span, message, "in this section").help(help);
+                None
+            }
+            [first, second, ..] => {
+                self.clash(first, second, help, report);
+                None
+            }
+        }
+    }
+
+    /// Notes two keys that exclude each other.
+    pub(crate) fn clash(&self, first: &str, second: &str, help: &str, report: &mut Report) {
+        let span = |key| self.table.get(key).map_or(self.span(), Spanned::span);
+        let message = format!("`{first}` and `{second}` exclude each other");
+        report
+            .mistake(&span(second), message, format!("`{second}`"))
+            .also(&span(first), format!("`{first}`"))
+            .help(help);
+    }
+
     /// A table that must be there; `help` says what to write.
     pub(crate) fn section(
         &mut self,
@@ -138,9 +209,17 @@ impl<'t> Section<'t> {
         }
     }
 
+    /// Gives up reading: nothing more is noted of this section.
+    pub(crate) fn skip(&mut self) {
+        self.skipped = true;
+    }
+
     /// Notes the keys that are missing and those that were never asked for.
     /// A key under a misspelt name is one mistake, not two.
     pub(crate) fn finish(mut self, report: &mut Report) {
+        if self.skipped {
+            return;
+        }
         for key in self.table.keys() {
             let word = key.get_ref().as_ref();
             if self.known.contains(&word) {

@@ -119,6 +119,22 @@ impl<T: FromToml, const N: usize> FromToml for [T; N] {
     }
 }
 
+/// A list of any length; `None` where one of its values is wrong.
+impl<T: FromToml> FromToml for Vec<T> {
+    const EXPECTED: &'static str = "a list";
+
+    fn read(value: &Spanned<DeValue>, what: &str, report: &mut Report) -> Option<Self> {
+        let Some(list) = value.get_ref().as_array() else {
+            wrong_type::<Self>(value, what, report);
+            return None;
+        };
+        let entry = format!("an entry of {what}");
+        // All entries are read before one of them can end the list: every mistake is noted.
+        let items: Vec<Option<T>> = list.iter().map(|item| T::read(item, &entry, report)).collect();
+        items.into_iter().collect()
+    }
+}
+
 /// A value together with its place, for items of lists.
 impl<T: FromToml> FromToml for Spanned<T> {
     const EXPECTED: &'static str = T::EXPECTED;

@@ -221,10 +221,13 @@ impl Dynamics {
         let elements = self.kkt.elements();
         for (owner, values) in elements.owners() {
             let Owner::Force(force) = owner else { continue };
-            for response in &elements.responses()[values] {
-                if !response.force.is_finite() || !response.by_value.is_finite() {
+            for k in values {
+                let response = elements.responses()[k];
+                // Where a relation has no direction, the rate of its value has no value.
+                let numbers = [response.force, response.by_value, elements.rates()[k]];
+                if let Some(&value) = numbers.iter().find(|number| !number.is_finite()) {
                     let force = self.mechanism.forces()[force.index()].name.clone();
-                    return Err(DynamicsFailure::NoForce { force, time, value: response.force });
+                    return Err(DynamicsFailure::NoForce { force, time, value });
                 }
             }
         }

@@ -14,6 +14,9 @@ const ITERATIONS: usize = 12;
 /// Largest error of the accelerations that is left, relative to the largest of them.
 const TOLERANCE: f64 = 1e-10;
 
+/// Largest error of the position that is left, relative.
+const CLOSED: f64 = 1e-12;
+
 /// What rounding of relative positions leaves in a change of them.
 const ROUNDING: f64 = 2e-15;
 
@@ -119,7 +122,8 @@ impl Dynamics {
                 return Err(StepFailure::Newton);
             }
             let (size, position) = sizes(&self.next, self.scales);
-            let target = (TOLERANCE * size).max(ROUNDING * position / to_q);
+            let target = (TOLERANCE * size).min(CLOSED * position / to_q);
+            let target = target.max(ROUNDING * position / to_q);
             // Before the second correction nothing is known about how fast they fall.
             let rate = if before.is_finite() { change / before } else { SLOW };
             if change <= target || (rate < SLOW && rate * change <= target) {

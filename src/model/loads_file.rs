@@ -1,0 +1,193 @@
+//! Reads what acts on a suspension: `[bodies]`, `[quarter_car]`, `[tyre]`, `[[forces]]`, `[bushings]`.
+
+use std::ops::Range;
+
+use toml::Spanned;
+
+use super::architecture::Architecture;
+use super::diagnostics::Report;
+use super::loads::{JointBushing, Loads, Tyre};
+use super::parts::{Parts, TyreFile, gravity};
+use super::quantity::Quantity;
+use super::read::{Section, as_section};
+use super::suggest;
+use crate::mechanism::{BodyId, Force, Joint, JointKind, MassProperties};
+
+/// The loads that are right, with their places.
+pub(super) struct LoadsFile {
+    gravity: Option<f64>,
+    sprung_mass: Option<Spanned<f64>>,
+    masses: Vec<(Range<usize>, BodyId, MassProperties)>,
+    tyre: Option<(Range<usize>, TyreFile)>,
+    forces: Vec<(Range<usize>, Force)>,
+    bushings: Vec<(Range<usize>, JointBushing)>,
+}
+
+/// Where the loads stand in the text, in the order of [`Loads`].
+pub(super) struct LoadPlaces {
+    pub(super) masses: Vec<(Range<usize>, BodyId)>,
+    pub(super) tyre: Range<usize>,
+    pub(super) forces: Vec<Range<usize>>,
+    pub(super) bushings: Vec<Range<usize>>,
+}
+
+impl LoadsFile {
+    /// `joints` are those of the architecture, none where that is not known.
+    pub(super) fn read(
+        root: &mut Section,
+        parts: &Parts,
+        joints: &[Joint],
+        report: &mut Report,
+    ) -> Self {
+        let mut place_of_mass = None;
+        let sprung_mass = quarter_car(root, parts, &mut place_of_mass, report);
+        let masses = masses(root, parts, &mut place_of_mass, report);
+        let gravity = gravity(root, place_of_mass.as_ref(), report);
+        let tyre = tyre(root, parts, report);
+        let forces = parts.forces(root, false, report).into_iter();
+        let forces = forces.filter_map(|(name, force)| Some((name.span(), force?))).collect();
+        let bushings = bushings(root, parts, joints, report);
+        Self { gravity, sprung_mass, masses, tyre, forces, bushings }
+    }
+
+    /// The loads without their places. `radius` is that of the wheel (m).
+    pub(super) fn loads(&self, architecture: &Architecture, radius: f64) -> Loads {
+        let mut masses = vec![None; architecture.bodies().len()];
+        for (_, body, mass) in &self.masses {
+            masses[body.0 - 1] = Some(*mass);
+        }
+        let tyre = self.tyre.as_ref().map(|(_, tyre)| Tyre {
+            contact: tyre.contact,
+            free_radius: tyre.free_radius.unwrap_or(radius),
+            ground: tyre.ground,
+            law: tyre.law.clone(),
+        });
+        Loads {
+            gravity: self.gravity.unwrap_or(0.0),
+            sprung_mass: self.sprung_mass.as_ref().map(|mass| *mass.get_ref()),
+            masses,
+            tyre,
+            forces: self.forces.iter().map(|(_, force)| force.clone()).collect(),
+            bushings: self.bushings.iter().map(|(_, bushing)| bushing.clone()).collect(),
+        }
+    }
+
+    pub(super) fn places(&self) -> LoadPlaces {
+        LoadPlaces {
+            masses: self.masses.iter().map(|(span, body, _)| (span.clone(), *body)).collect(),
+            tyre: self.tyre.as_ref().map_or(0..0, |(span, _)| span.clone()),
+            forces: self.forces.iter().map(|(span, _)| span.clone()).collect(),
+            bushings: self.bushings.iter().map(|(span, _)| span.clone()).collect(),
+        }
+    }
+}
+
+fn quarter_car(
+    root: &mut Section,
+    parts: &Parts,
+    place: &mut Option<Range<usize>>,
+    report: &mut Report,
+) -> Option<Spanned<f64>> {
+    let help = "write the mass of the chassis above this wheel: `sprung_mass = 380.0`";
+    let mut section = root.optional_section("quarter_car", help, report)?;
+    *place = Some(section.span());
+    let mass = parts.number(&mut section, "sprung_mass", Quantity::Mass, help, report);
+    section.finish(report);
+    let mass = mass?;
+    if *mass.get_ref() <= 0.0 {
+        report.mistake(&mass.span(), "the sprung mass must be positive", "not positive").help(help);
+        return None;
+    }
+    Some(mass)
+}
+
+fn masses(
+    root: &mut Section,
+    parts: &Parts,
+    place: &mut Option<Range<usize>>,
+    report: &mut Report,
+) -> Vec<(Range<usize>, BodyId, MassProperties)> {
+    let mut masses = vec![];
+    let help = "write a section for a body: `[bodies.upright]` with `mass`, `center_of_mass` and `inertia`";
+    let Some(bodies) = root.optional_section("bodies", help, report) else {
+        return masses;
+    };
+    for (name, value) in bodies.entries() {
+        let title = format!("[bodies.{}]", name.get_ref());
+        let Some(mut section) = as_section(value, title, help, report) else {
+            continue;
+        };
+        place.get_or_insert_with(|| name.span());
+        let mass = parts.mass(&mut section, report);
+        section.finish(report);
+        let help = "the chassis has no mass of its own; give `sprung_mass` in [quarter_car]";
+        let body = parts.names.moving_body(&name, help, report);
+        if let (Some(mass), Some(body)) = (mass, body) {
+            masses.push((name.span(), body, mass));
+        }
+    }
+    masses
+}
+
+fn tyre(
+    root: &mut Section,
+    parts: &Parts,
+    report: &mut Report,
+) -> Option<(Range<usize>, TyreFile)> {
+    let help = "write a section `[tyre]` with `contact`, `stiffness` and `ground`";
+    let mut section = root.optional_section("tyre", help, report)?;
+    let tyre = parts.tyre_law(&mut section, report);
+    let span = section.span();
+    section.finish(report);
+    Some((span, tyre?))
+}
+
+fn bushings(
+    root: &mut Section,
+    parts: &Parts,
+    joints: &[Joint],
+    report: &mut Report,
+) -> Vec<(Range<usize>, JointBushing)> {
+    let mut bushings = vec![];
+    let help = "write a section for a bushing: `[bushings.lca_front_bushing]` with `replaces` and `stiffness`";
+    let Some(list) = root.optional_section("bushings", help, report) else {
+        return bushings;
+    };
+    for (name, value) in list.entries() {
+        let title = format!("[bushings.{}]", name.get_ref());
+        let Some(mut section) = as_section(value, title, help, report) else {
+            continue;
+        };
+        let help = "name the joint that it stands for: `replaces = \"lca_pivot\"`";
+        let replaces = section.required::<String>("replaces", help, report);
+        let Some(joint) = replaces.and_then(|word| joint(&word, joints, report)) else {
+            // Which point and bodies the bushing has depends on the joint.
+            section.finish_open(report);
+            continue;
+        };
+        let at = match joints[joint].kind {
+            JointKind::Link { .. } => None,
+            kind => Some(kind.points()[0]),
+        };
+        let kind = parts.bushing(&mut section, name.get_ref(), at, report);
+        section.finish(report);
+        if let Some(kind) = kind {
+            let (i, j) = (joints[joint].i, joints[joint].j);
+            let force = Force { name: name.get_ref().clone(), i, j, kind };
+            bushings.push((name.span(), JointBushing { joint, force }));
+        }
+    }
+    bushings
+}
+
+fn joint(name: &Spanned<String>, joints: &[Joint], report: &mut Report) -> Option<usize> {
+    let word = name.get_ref();
+    let found = joints.iter().position(|joint| joint.name == *word);
+    if found.is_none() && !joints.is_empty() {
+        let known: Vec<&str> = joints.iter().map(|joint| joint.name.as_str()).collect();
+        report
+            .mistake(&name.span(), format!("there is no joint `{word}`"), "unknown joint")
+            .help(suggest::choices(word, &known));
+    }
+    found
+}

@@ -1,0 +1,76 @@
+//! The same suspension on the other side of the vehicle.
+
+use super::Model;
+use crate::mechanism::{Bushing, Direction, Force, ForceKind, MassProperties};
+
+impl Model {
+    /// The same suspension on the other side of the vehicle: y changes its sign,
+    /// toe and camber keep their values, and so do the values of force elements but for
+    /// what [`mirrored_bushing`] says of bushings.
+    pub fn mirrored(&self) -> Self {
+        let mut other = self.clone();
+        other.side = self.side.other();
+        for point in &mut other.points {
+            point.position = mirrored(point.position);
+        }
+        for mass in other.loads.masses.iter_mut().flatten() {
+            *mass = mirrored_mass(mass);
+        }
+        let bushings = other.loads.bushings.iter_mut().map(|bushing| &mut bushing.force);
+        for force in other.loads.forces.iter_mut().chain(bushings) {
+            mirror(force);
+        }
+        other
+    }
+}
+
+/// A point, or a vector such as a force. Not a plain negation, which would turn 0 into −0.
+fn mirrored([x, y, z]: [f64; 3]) -> [f64; 3] {
+    [x, 0.0 - y, z]
+}
+
+/// A vector with a sense of rotation, such as a moment.
+fn mirrored_axial([x, y, z]: [f64; 3]) -> [f64; 3] {
+    [0.0 - x, y, 0.0 - z]
+}
+
+fn mirrored_mass(mass: &MassProperties) -> MassProperties {
+    let [xx, yy, zz, xy, xz, yz] = mass.inertia;
+    MassProperties {
+        mass: mass.mass,
+        center: mirrored(mass.center),
+        inertia: [xx, yy, zz, 0.0 - xy, xz, 0.0 - yz],
+    }
+}
+
+fn mirror(force: &mut Force) {
+    match &mut force.kind {
+        ForceKind::Line { .. } | ForceKind::Tyre { .. } => {}
+        // The axis turns round, so that the angle and its law keep their signs.
+        ForceKind::Torsion { axis, .. } => {
+            *axis = match *axis {
+                Direction::Between(from, to) => Direction::Between(to, from),
+                Direction::Fixed(axis) => Direction::Fixed(mirrored_axial(axis)),
+            };
+        }
+        ForceKind::Bushing(bushing) => mirror_bushing(bushing),
+        ForceKind::PointForce { direction, .. } => *direction = mirrored(*direction),
+        ForceKind::Moment { direction, .. } => *direction = mirrored_axial(*direction),
+    }
+}
+
+/// The mirror images of right-handed axes x, y, z are left-handed; x, −y, z are right-handed
+/// again. In them displacement along y and rotation about x and z change their signs.
+fn mirror_bushing(bushing: &mut Bushing) {
+    for axis in [&mut bushing.axes.x, &mut bushing.axes.z] {
+        // An axis between points follows them.
+        if let Direction::Fixed(vector) = axis {
+            *axis = Direction::Fixed(mirrored(*vector));
+        }
+    }
+    let [_, along_y, _] = &mut bushing.translation;
+    let [about_x, _, about_z] = &mut bushing.rotation;
+    for law in [along_y, about_x, about_z] {
+        *law = law.reversed();
+    }
+}

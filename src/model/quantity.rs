@@ -1,0 +1,121 @@
+//! Kinds of quantities and their units: force and mass, and what follows from them.
+
+use super::units::Units;
+
+/// A kind of quantity; the units of a file say how it is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// A length, in m inside.
+    Length,
+    /// An angle, in rad inside.
+    Angle,
+    /// A force, in N inside.
+    Force,
+    /// A mass, in kg inside.
+    Mass,
+    /// A moment, in N·m inside.
+    Torque,
+    /// Force by length, in N/m inside.
+    Stiffness,
+    /// Force by speed, in N·s/m inside.
+    Damping,
+    /// Moment by angle, in N·m/rad inside.
+    RotationalStiffness,
+    /// Moment by angular speed, in N·m·s/rad inside.
+    RotationalDamping,
+    /// Moment of inertia, in kg·m² inside.
+    Inertia,
+    /// Speed, in m/s inside.
+    Velocity,
+    /// Angular speed, in rad/s inside.
+    AngularVelocity,
+}
+
+impl Quantity {
+    /// The powers of force, mass, length, angle and time that it is made of.
+    const fn powers(self) -> [i32; 5] {
+        match self {
+            Self::Length => [0, 0, 1, 0, 0],
+            Self::Angle => [0, 0, 0, 1, 0],
+            Self::Force => [1, 0, 0, 0, 0],
+            Self::Mass => [0, 1, 0, 0, 0],
+            Self::Torque => [1, 0, 1, 0, 0],
+            Self::Stiffness => [1, 0, -1, 0, 0],
+            Self::Damping => [1, 0, -1, 0, 1],
+            Self::RotationalStiffness => [1, 0, 1, -1, 0],
+            Self::RotationalDamping => [1, 0, 1, -1, 1],
+            Self::Inertia => [0, 1, 2, 0, 0],
+            Self::Velocity => [0, 0, 1, 0, -1],
+            Self::AngularVelocity => [0, 0, 0, 1, -1],
+        }
+    }
+
+    /// Whether it is made of a force.
+    pub(crate) const fn has_force(self) -> bool {
+        self.powers()[0] != 0
+    }
+
+    /// Whether it is made of a mass.
+    pub(crate) const fn has_mass(self) -> bool {
+        self.powers()[1] != 0
+    }
+
+    /// The symbol of its unit, such as `N/mm` or `N·mm/deg`.
+    pub fn symbol(self, units: Units) -> String {
+        let symbols = [
+            units.force.symbol(),
+            units.mass.symbol(),
+            units.length.symbol(),
+            units.angle.symbol(),
+            "s",
+        ];
+        let (mut above, mut below) = (vec![], vec![]);
+        for (symbol, power) in symbols.into_iter().zip(self.powers()) {
+            match power {
+                0 => {}
+                1 => above.push(symbol.to_owned()),
+                -1 => below.push(symbol),
+                power => {
+                    above.push(format!("{symbol}{}", ["", "", "²"][power.unsigned_abs() as usize]))
+                }
+            }
+        }
+        let above = above.join("·");
+        if below.is_empty() { above } else { format!("{above}/{}", below.join("·")) }
+    }
+
+    /// A value in the units of a file, in SI.
+    pub fn to_si(self, units: Units, value: f64) -> f64 {
+        let (numerator, denominator) = self.ratio(units);
+        let value = value * numerator / denominator;
+        match self.powers()[3] {
+            1 => units.angle.to_radians(value),
+            -1 => units.angle.from_radians(value),
+            _ => value,
+        }
+    }
+
+    /// A value (SI) in the units of a file.
+    pub fn show(self, units: Units, value: f64) -> f64 {
+        let (numerator, denominator) = self.ratio(units);
+        let value = value * denominator / numerator;
+        match self.powers()[3] {
+            1 => units.angle.from_radians(value),
+            -1 => units.angle.to_radians(value),
+            _ => value,
+        }
+    }
+
+    /// The unit in SI units, but for the angle in it.
+    fn ratio(self, units: Units) -> (f64, f64) {
+        let ratios = [units.force.ratio(), units.mass.ratio(), units.length.ratio()];
+        let mut product = (1.0, 1.0);
+        for ((numerator, denominator), power) in ratios.into_iter().zip(self.powers()) {
+            let (times, by) =
+                if power < 0 { (denominator, numerator) } else { (numerator, denominator) };
+            product.0 *= times.powi(power.abs());
+            product.1 *= by.powi(power.abs());
+        }
+        product
+    }
+}

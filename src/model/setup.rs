@@ -1,0 +1,86 @@
+//! How a suspension is set up: what drives it, what it stands on, what its chassis does.
+
+use thiserror::Error;
+
+use crate::mechanism::MechanismError;
+
+/// Which height the travel driver prescribes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Drive {
+    /// Height of the wheel centre, as Adams/Car does.
+    #[default]
+    WheelCenter,
+    /// Height of the contact patch, the lowest point of the tyre's disc, as Lotus does.
+    ContactPatch,
+}
+
+impl Drive {
+    /// The name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::WheelCenter => "wheel-center",
+            Self::ContactPatch => "contact-patch",
+        }
+    }
+}
+
+/// What carries the wheel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum WheelSupport {
+    /// The travel driver holds the wheel at its height; the tyre has no force.
+    #[default]
+    Held,
+    /// The tyre of `[tyre]` stands on the ground.
+    Tyre,
+}
+
+/// What the chassis does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Chassis {
+    /// It never moves.
+    #[default]
+    Fixed,
+    /// It moves up and down with the mass of `[quarter_car]`.
+    Slide,
+}
+
+/// How a suspension is set up.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Setup {
+    /// Which height the travel driver prescribes.
+    pub drive: Drive,
+    /// What carries the wheel.
+    pub support: WheelSupport,
+    /// What the chassis does.
+    pub chassis: Chassis,
+    /// Whether all joints are rigid: no bushing stands for a joint. Other forces stay.
+    pub kinematic: bool,
+}
+
+impl From<Drive> for Setup {
+    /// Driven in this way, and otherwise as by default.
+    fn from(drive: Drive) -> Self {
+        Self { drive, ..Self::default() }
+    }
+}
+
+/// Why a model cannot be set up.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum SuspensionError {
+    /// The points make no mechanism.
+    #[error(transparent)]
+    Mechanism(#[from] MechanismError),
+    /// [`WheelSupport::Tyre`] without a tyre.
+    #[error(
+        "the model `{0}` has no tyre to stand on; add a section `[tyre]` with `contact`, \
+         `stiffness` and `ground`, or hold the wheel"
+    )]
+    NoTyre(String),
+    /// [`Chassis::Slide`] without a sprung mass.
+    #[error(
+        "the model `{0}` has no sprung mass, so its chassis cannot move; add a section \
+         `[quarter_car]` with `sprung_mass`, or fix the chassis"
+    )]
+    NoQuarterCar(String),
+}
