@@ -473,4 +473,14 @@ fn a_motion_into_a_dead_end_stops_there_and_keeps_what_was_reached() {
     assert_eq!(trajectory.samples.len(), 8);
     assert!(motion.report().energy_drift < 1e-5, "{:?}", motion.report());
     assert!(motion.state().iter().flatten().all(|x| x.is_finite()));
+
+    // With a step that is far too long for the wall nothing converges behind it.
+    let mut motion = dynamics(&m, Integrator::fixed(1e-3)).unwrap();
+    let failure = motion.advance_to(5.0).unwrap_err();
+    assert!(
+        matches!(&failure, DynamicsFailure::NoConvergence { equation, time, .. }
+            if equation == "the balance of forces on rod" && *time == motion.time()),
+        "{failure}"
+    );
+    assert!(motion.state().iter().flatten().all(|x| x.is_finite()));
 }
