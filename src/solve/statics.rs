@@ -9,7 +9,9 @@ use thiserror::Error;
 use super::convergence::{Outcome, Status, Tolerances};
 use super::equilibrium::Equilibrium;
 use super::newton::{Equations, newton};
+use super::rank::{scaled_jacobian, weakest};
 use super::stability::{Softest, softest};
+use crate::assembly::design_state;
 use crate::mechanism::{DriverId, ForceKind, Owner};
 use crate::relation::Coordinates;
 
@@ -33,11 +35,20 @@ const RELAXATION: usize = 2000;
 /// The largest change of one step of a relaxation, relative.
 const LONGEST_RELAXATION: f64 = 0.05;
 
+/// A relaxation that would have to be damped this many times as much as at its start is stuck.
+const STIFFEST: f64 = 1e9;
+
+/// A singular value of the constraints this much smaller than at design is a singular position.
+const SINGULAR: f64 = 0.03;
+
 /// Residual at which a relaxation hands over to Newton's method.
 const HAND_OVER: f64 = 1e-4;
 
 /// Largest accepted relative residual of an equation that is left out as redundant.
 const CONSISTENT: f64 = 1e-9;
+
+/// Relative residual of such an equation that a step of a relaxation may leave.
+const ASTRAY: f64 = 1e-2;
 
 /// How an equilibrium was found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -235,9 +246,10 @@ impl Equilibrium {
         self.problem.state.copy_from_slice(start);
         self.problem.lambda.fill(0.0);
         self.problem.measure();
-        let mut damping = self.problem.force_size * self.problem.scales.length;
+        let first = self.problem.force_size * self.problem.scales.length;
+        let mut damping = first;
         let mut next_attempt = HAND_OVER;
-        while report.relaxation_steps < RELAXATION {
+        while report.relaxation_steps < RELAXATION && damping < STIFFEST * first {
             self.problem.measure();
             self.problem.damping = damping;
             self.problem.linearise();
@@ -249,14 +261,17 @@ impl Equilibrium {
             let size = self.problem.step_size(&self.step);
             if solved.is_err() || size.is_nan() || size > LONGEST_RELAXATION {
                 damping *= 4.0;
-                if !damping.is_finite() {
-                    break;
-                }
                 continue;
             }
             self.problem.begin_step();
             self.problem.take_step(&self.step, 1.0);
             let residual = self.problem.residual();
+            if self.worst_left_out() > ASTRAY {
+                // The step left the positions in which redundant equations agree.
+                self.problem.take_step(&self.step, 0.0);
+                damping *= 4.0;
+                continue;
+            }
             self.elements_mut().accept();
             damping *= if size < 0.2 * LONGEST_RELAXATION { 0.25 } else { 0.7 };
             if residual > next_attempt || size > 10.0 * HAND_OVER {
@@ -277,6 +292,20 @@ impl Equilibrium {
         false
     }
 
+    /// The largest relative residual of the equations that are left out as redundant.
+    fn worst_left_out(&self) -> f64 {
+        let problem = &self.problem;
+        let equations = problem.phi.iter().zip(&problem.sizes).enumerate();
+        equations
+            .filter(|&(equation, _)| !self.is_held(equation) && !self.is_released(equation))
+            .map(|(_, (phi, size))| (phi / size).abs())
+            .fold(0.0, |worst, value| if value.is_nan() { f64::INFINITY } else { worst.max(value) })
+    }
+
+    fn is_released(&self, equation: usize) -> bool {
+        matches!(self.expansion.owner(equation), Owner::Driver(driver) if self.released.contains(&driver))
+    }
+
     /// Whether a solution is one that the mechanism stays in.
     fn judge(&mut self, report: &mut StaticReport) -> Result<(), StaticFailure> {
         let problem = &mut self.problem;
@@ -284,6 +313,7 @@ impl Equilibrium {
         problem.damping = 0.0;
         problem.kkt.fill(&problem.state, &problem.h, &problem.lambda, &mut problem.phi);
         problem.kkt.elements_mut().accept();
+        let problem = &self.problem;
         for (equation, (phi, size)) in problem.phi.iter().zip(&problem.sizes).enumerate() {
             let owner = self.expansion.owner(equation);
             let released =
@@ -357,6 +387,27 @@ impl Equilibrium {
                  stiffnesses and the side on which loads act"
             );
         }
+        if self.is_singular() {
+            hint =
+                "the joints are in a singular position there, in which forces are not determined; \
+                    change the geometry or hold the mechanism with a driver"
+                    .to_owned();
+        }
         StaticFailure::NoConvergence { reached, relative_residual, hint }
+    }
+
+    /// Whether the joints are much nearer to a loss of rank than at the design position.
+    fn is_singular(&self) -> bool {
+        let problem = &self.problem;
+        let weakest = |state: &[Coordinates<f64>]| {
+            let (jacobian, _) =
+                scaled_jacobian(&self.expansion, &self.terms, state, &problem.h, problem.scales);
+            let finite = jacobian.col_iter().all(|column| column.iter().all(|x| x.is_finite()));
+            let kept = problem.numbering.kept().len();
+            finite.then(|| weakest(jacobian.as_ref(), kept)).flatten().map(|(value, ..)| value)
+        };
+        let design = weakest(&design_state(self.mechanism.bodies()));
+        let here = weakest(&problem.state);
+        design.zip(here).is_some_and(|(design, here)| here < SINGULAR * design)
     }
 }

@@ -97,8 +97,9 @@ impl Equilibrium {
             return usage("this suspension has no rack; leave out --rack");
         }
         corner.set_load(&load);
-        // First the kinematic way to travel and rack, then the equilibrium there.
-        corner.move_to(travel, rack).map_err(|stop| self.stopped(stop))?;
+        if travel != 0.0 || rack != 0.0 {
+            corner.move_to(travel, rack).map_err(|stop| self.stopped(stop))?;
+        }
         let found = corner.rest().map_err(|failure| self.fails(failure))?;
         let pose = corner.pose();
         let how = match (on_tyre, slides) {
