@@ -9,9 +9,7 @@ use thiserror::Error;
 use super::convergence::{Outcome, Status, Tolerances};
 use super::equilibrium::Equilibrium;
 use super::newton::{Equations, newton};
-use super::rank::{scaled_jacobian, weakest};
 use super::stability::{Softest, softest};
-use crate::assembly::design_state;
 use crate::mechanism::{DriverId, ForceKind, Owner};
 use crate::relation::Coordinates;
 
@@ -37,9 +35,6 @@ const LONGEST_RELAXATION: f64 = 0.05;
 
 /// A relaxation that would have to be damped this many times as much as at its start is stuck.
 const STIFFEST: f64 = 1e9;
-
-/// A singular value of the constraints this much smaller than at design is a singular position.
-const SINGULAR: f64 = 0.03;
 
 /// Residual at which a relaxation hands over to Newton's method.
 const HAND_OVER: f64 = 1e-4;
@@ -387,27 +382,6 @@ impl Equilibrium {
                  stiffnesses and the side on which loads act"
             );
         }
-        if self.is_singular() {
-            hint =
-                "the joints are in a singular position there, in which forces are not determined; \
-                    change the geometry or hold the mechanism with a driver"
-                    .to_owned();
-        }
         StaticFailure::NoConvergence { reached, relative_residual, hint }
-    }
-
-    /// Whether the joints are much nearer to a loss of rank than at the design position.
-    fn is_singular(&self) -> bool {
-        let problem = &self.problem;
-        let weakest = |state: &[Coordinates<f64>]| {
-            let (jacobian, _) =
-                scaled_jacobian(&self.expansion, &self.terms, state, &problem.h, problem.scales);
-            let finite = jacobian.col_iter().all(|column| column.iter().all(|x| x.is_finite()));
-            let kept = problem.numbering.kept().len();
-            finite.then(|| weakest(jacobian.as_ref(), kept)).flatten().map(|(value, ..)| value)
-        };
-        let design = weakest(&design_state(self.mechanism.bodies()));
-        let here = weakest(&problem.state);
-        design.zip(here).is_some_and(|(design, here)| here < SINGULAR * design)
     }
 }
