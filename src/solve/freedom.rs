@@ -185,7 +185,8 @@ fn names(
         let name = match owner {
             Owner::Joint(joint) => mechanism.joints()[joint].name.clone(),
             Owner::Driver(driver) => mechanism.drivers()[driver.index()].name.clone(),
-            Owner::Body(_) => continue,
+            // Euler parameters hold no motion, and forces hold nothing.
+            Owner::Body(_) | Owner::Force(_) | Owner::Weight(_) => continue,
         };
         let name = if owner == of { format!("{name} itself") } else { name };
         if !names.contains(&name) {
