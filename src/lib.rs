@@ -13,11 +13,11 @@
 //!
 //! ```
 //! use hardpoint::factors::wheel;
-//! use hardpoint::model::{Drive, Model};
+//! use hardpoint::model::{Model, Setup};
 //! use hardpoint::rig::{Corner, Event, Sweep, SweepPlan};
 //!
 //! let model = Model::load("models/double-wishbone.toml")?;
-//! let mut corner = Corner::new(&model, Drive::WheelCenter)?;
+//! let mut corner = Corner::new(&model, &Setup::default())?;
 //! assert!(corner.freedom().is_exact(), "{}", corner.freedom());
 //!
 //! // 30 mm of rebound to 30 mm of jounce, the rack held in the middle.

@@ -2,7 +2,7 @@
 
 use hardpoint::assembly::{Jacobian, Kkt, Numbering, Pattern, Terms};
 use hardpoint::mechanism::{DriverId, Expansion, Mechanism};
-use hardpoint::model::{Drive, Model};
+use hardpoint::model::{Model, Setup};
 use hardpoint::relation::Coordinates;
 use hardpoint::solve::System;
 
@@ -29,7 +29,7 @@ impl Scene {
     /// Reads the model and moves it.
     pub fn sedan() -> Self {
         let model = Model::load("models/double-wishbone.toml").expect("the model is sound");
-        let suspension = model.suspension(Drive::WheelCenter).expect("the geometry is sound");
+        let suspension = model.suspension(&Setup::default()).expect("the geometry is sound");
         let rack = suspension.rack.expect("the sedan steers");
         let mut system = System::new(suspension.mechanism.clone()).expect("the sedan moves");
         assert!(system.freedom().is_exact(), "{}", system.freedom());

@@ -75,7 +75,9 @@ impl Quantity {
                 0 => {}
                 1 => above.push(symbol.to_owned()),
                 -1 => below.push(symbol),
-                power => above.push(format!("{symbol}{}", ["", "", "²"][power.unsigned_abs() as usize])),
+                power => {
+                    above.push(format!("{symbol}{}", ["", "", "²"][power.unsigned_abs() as usize]))
+                }
             }
         }
         let above = above.join("·");

@@ -88,7 +88,8 @@ fn names(architecture: Option<&Architecture>, file: Option<&PointsFile>) -> Name
     };
     let optional = architecture.optional_points();
     let required = architecture.points().iter().map(|role| role.name.clone());
-    let present = optional.iter().map(|role| &role.name).filter(|name| given.clone().any(|g| g == *name));
+    let present =
+        optional.iter().map(|role| &role.name).filter(|name| given.clone().any(|g| g == *name));
     let mut points: Vec<String> = required.chain(present.cloned()).collect();
     let own: Vec<String> = given.filter(|name| !points.contains(name)).cloned().collect();
     points.extend(own);

@@ -145,12 +145,8 @@ pub enum MassUnit {
 
 impl MassUnit {
     /// The symbols of model files.
-    pub(crate) const CHOICES: &[(&str, Self)] = &[
-        ("kg", Self::Kilogram),
-        ("g", Self::Gram),
-        ("t", Self::Tonne),
-        ("lb", Self::Pound),
-    ];
+    pub(crate) const CHOICES: &[(&str, Self)] =
+        &[("kg", Self::Kilogram), ("g", Self::Gram), ("t", Self::Tonne), ("lb", Self::Pound)];
 
     /// The symbol, as in model files.
     pub const fn symbol(self) -> &'static str {

@@ -123,7 +123,8 @@ fn unit<T: Copy>(
     report: &mut Report,
 ) -> Unit<T> {
     let given = section.has(key);
-    let choices: Vec<(&str, Option<T>)> = choices.iter().map(|(s, unit)| (*s, Some(*unit))).collect();
+    let choices: Vec<(&str, Option<T>)> =
+        choices.iter().map(|(s, unit)| (*s, Some(*unit))).collect();
     let value = section.choice_or(key, &format!("unit of {key}"), &choices, None, report);
     Unit { value: value.flatten(), noted: Cell::new(given) }
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use hardpoint::factors::FACTORS;
-use hardpoint::model::{Drive, Model};
+use hardpoint::model::{Model, Setup};
 use hardpoint::rig::Corner;
 
 use crate::failure::Failure;
@@ -32,7 +32,7 @@ impl Check {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
         let model = load(&self.model, self.side)?;
-        let corner = Corner::new(&model, Drive::WheelCenter)
+        let corner = Corner::new(&model, &Setup::default())
             .map_err(|error| Failure::Rig(self.model.display().to_string(), error))?;
         Output::Stdout.write(|writer| write(writer, &model, &corner))
     }

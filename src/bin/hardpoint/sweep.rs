@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
+use hardpoint::model::{Drive, Setup};
 use hardpoint::report::SweepReport;
 use hardpoint::rig::{self, Corner, SweepPlan};
 use indicatif::{ProgressBar, ProgressDrawTarget};
@@ -83,8 +84,8 @@ impl Sweep {
         if place.is_some() && place == self.model.canonicalize().ok() {
             return Err(Failure::Usage("-o would overwrite the model; name another file".into()));
         }
-        let drive = self.drive.into();
-        let mut corner = Corner::new(&model, drive)
+        let drive = Drive::from(self.drive);
+        let mut corner = Corner::new(&model, &Setup::from(drive))
             .map_err(|error| Failure::Rig(self.model.display().to_string(), error))?;
         let plan = self.plan(|length| model.units.length.to_metres(length), corner.steers())?;
         let progress = Progress::new(plan.values().len());

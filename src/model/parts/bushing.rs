@@ -60,7 +60,10 @@ impl Parts<'_> {
         let [x, y, z, rx, ry, rz] = self.tables(section, name, report);
         let translation = self.laws(section, &TRANSLATION, [x, y, z], report);
         let rotation = self.laws(section, &ROTATION, [rx, ry, rz], report);
-        let measures = [("xyz", RotationMeasure::Angles), ("rotation-vector", RotationMeasure::RotationVector)];
+        let measures = [
+            ("xyz", RotationMeasure::Angles),
+            ("rotation-vector", RotationMeasure::RotationVector),
+        ];
         let measure =
             section.choice_or("angles", "rotation measure", &measures, measures[0].1, report);
         let laws = [("energy", MomentLaw::Energy), ("torque", MomentLaw::Torque)];
@@ -137,9 +140,13 @@ impl Parts<'_> {
                     if let (Some(place), true) = (&place, stiffness[k] != 0.0) {
                         let component = group.tables[k];
                         let message = format!("`{component}` has a stiffness and a table");
-                        report.mistake(&table.span(), message, "a table").also(place, "and a stiffness").help(
-                            format!("write 0 for `{component}` in `{}`, or leave out the table", group.stiffness),
-                        );
+                        report
+                            .mistake(&table.span(), message, "a table")
+                            .also(place, "and a stiffness")
+                            .help(format!(
+                                "write 0 for `{component}` in `{}`, or leave out the table",
+                                group.stiffness
+                            ));
                     }
                     curve
                 }

@@ -41,7 +41,9 @@ impl Parts<'_> {
     ) -> Option<DriverKind> {
         let help = "name the point of the second body that is moved: `at = \"…\"`";
         match word {
-            "rotation" => Some(DriverKind::Rotation { axis: self.direction(section, "axis", report)? }),
+            "rotation" => {
+                Some(DriverKind::Rotation { axis: self.direction(section, "axis", report)? })
+            }
             "displacement" => {
                 let at = self.point(section, "at", help, report);
                 let along = self.direction(section, "along", report);

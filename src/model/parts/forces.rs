@@ -92,7 +92,8 @@ impl Parts<'_> {
             }
             "tyre" => self.tyre(section, report),
             "force" => {
-                let at = self.point(section, "at", "name the point it acts on: `at = \"…\"`", report);
+                let at =
+                    self.point(section, "at", "name the point it acts on: `at = \"…\"`", report);
                 let (body, frame, direction, size) =
                     self.load(section, "force", Quantity::Force, report)?;
                 let kind = ForceKind::PointForce { at: at?, frame, direction, size };

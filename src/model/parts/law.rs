@@ -100,7 +100,8 @@ impl Parts<'_> {
         match Spline::new(name, points) {
             Ok(spline) => Some(Curve::Table(spline)),
             Err(MechanismError::Table { row, problem, .. }) => {
-                let wrong = rows.get_ref().get(row.wrapping_sub(1)).filter(|_| rows.get_ref().len() > 1);
+                let wrong =
+                    rows.get_ref().get(row.wrapping_sub(1)).filter(|_| rows.get_ref().len() > 1);
                 let (span, label) = match wrong {
                     Some(wrong) => (wrong.span(), format!("row {row}")),
                     None => (rows.span(), "this table".to_owned()),
@@ -174,7 +175,8 @@ mod tests {
         }
         assert_eq!(inverse(&Curve::Linear(2.0), 3.0), Ok(1.5));
         assert!(inverse(&Curve::Zero, 1.0).is_err());
-        let hill = Curve::Table(Spline::new("x", vec![[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]]).unwrap());
+        let hill =
+            Curve::Table(Spline::new("x", vec![[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]]).unwrap());
         assert!(inverse(&hill, 0.5).is_err() && inverse(&hill, 3.0).is_err());
     }
 }

@@ -9,6 +9,9 @@ use crate::model::diagnostics::Report;
 use crate::model::quantity::Quantity;
 use crate::model::read::Section;
 
+const POSITIVE: &str =
+    "a length is not negative; a spring that pushes has a smaller length than its free length";
+
 /// A force element and the bodies it acts on.
 pub(super) type Element = (BodyId, BodyId, ForceKind);
 
@@ -28,7 +31,8 @@ impl Parts<'_> {
         let viscous = self.optional_damping(section, name, report);
         let rest = self.rest(section, name, curve.as_ref(), report);
         let ((i, j, [on_i, on_j]), (reference, preload)) = (ends?, rest?);
-        let law = Law { elastic: curve?.reversed(), viscous: viscous?, preload, acts: Acts::Always };
+        let law =
+            Law { elastic: curve?.reversed(), viscous: viscous?, preload, acts: Acts::Always };
         Some((i, j, ForceKind::Line { on_i, on_j, reference, law }))
     }
 
@@ -134,11 +138,12 @@ impl Parts<'_> {
         let installed = self.optional_number(section, "installed_length", Quantity::Length, report);
         if key? == "free_length" {
             let free = self.number(section, "free_length", Quantity::Length, help, report)?;
-            let free = not_negative(&free, "the free length", report)?;
+            let free = not_negative(&free, "the free length", POSITIVE, report)?;
             let reference = match installed {
                 None => Reference::Length(free),
                 Some(installed) => {
-                    let installed = not_negative(&installed, "the installed length", report)?;
+                    let installed =
+                        not_negative(&installed, "the installed length", POSITIVE, report)?;
                     Reference::Design(free - installed)
                 }
             };
@@ -149,9 +154,7 @@ impl Parts<'_> {
         }
         let preload = self.number(section, "preload", Quantity::Force, help, report)?;
         match curve? {
-            Curve::Zero | Curve::Linear(_) => {
-                Some((Reference::Design(0.0), -preload.into_inner()))
-            }
+            Curve::Zero | Curve::Linear(_) => Some((Reference::Design(0.0), -preload.into_inner())),
             table @ Curve::Table(_) => {
                 let compression = preloaded(table, &preload, *preload.get_ref(), name, report)?;
                 Some((Reference::Design(compression), 0.0))
@@ -172,9 +175,9 @@ pub(super) fn preloaded(
         Ok(value) => Some(value),
         Err(problem) => {
             let message = format!("the table of `{name}` cannot give this preload: {problem}");
-            report.mistake(&preload.span(), message, "this preload").help(
-                "change the table, or say at which length or angle it has no force instead",
-            );
+            report
+                .mistake(&preload.span(), message, "this preload")
+                .help("change the table, or say at which length or angle it has no force instead");
             None
         }
     }

@@ -12,8 +12,13 @@ use crate::model::read::Section;
 
 impl Parts<'_> {
     /// The mass, centre of mass and inertia tensor of a section of a body.
-    pub(crate) fn mass(&self, section: &mut Section, report: &mut Report) -> Option<MassProperties> {
-        let mass = self.number(section, "mass", Quantity::Mass, "write its mass: `mass = 4.2`", report);
+    pub(crate) fn mass(
+        &self,
+        section: &mut Section,
+        report: &mut Report,
+    ) -> Option<MassProperties> {
+        let mass =
+            self.number(section, "mass", Quantity::Mass, "write its mass: `mass = 4.2`", report);
         let help = "write where it is at the design position: `center_of_mass = [x, y, z]`";
         let center = section.required::<[f64; 3]>("center_of_mass", help, report);
         let help = "write the moments about the centre of mass, `inertia = [Jxx, Jyy, Jzz]`, or all zero for a point mass";
@@ -64,6 +69,8 @@ impl Parts<'_> {
 /// What to write for gravity.
 const GRAVITY: &str = "masses need it: write `gravity = 9.81`, in m/s² and downward, or 0 for none";
 
+const DOWNWARD: &str = "a positive number is downward: write `gravity = 9.81`";
+
 /// Gravity (m/s², positive downward); it must be there where something has a mass.
 pub(crate) fn gravity(
     root: &mut Section,
@@ -74,7 +81,7 @@ pub(crate) fn gravity(
         return None;
     }
     match root.optional::<f64>("gravity", report) {
-        Some(gravity) => super::not_negative(&gravity, "gravity", report),
+        Some(gravity) => super::not_negative(&gravity, "gravity", DOWNWARD, report),
         None => (!root.has("gravity")).then_some(0.0),
     }
 }

@@ -59,7 +59,12 @@ impl Parts<'_> {
         Some(self.in_si(&number, quantity, report))
     }
 
-    fn in_si(&self, number: &Spanned<f64>, quantity: Quantity, report: &mut Report) -> Spanned<f64> {
+    fn in_si(
+        &self,
+        number: &Spanned<f64>,
+        quantity: Quantity,
+        report: &mut Report,
+    ) -> Spanned<f64> {
         let span = number.span();
         let value = self.units.to_si(quantity, *number.get_ref(), &span, report);
         Spanned::new(span, value)
@@ -88,13 +93,11 @@ impl Parts<'_> {
 }
 
 /// Notes a number below zero and returns it otherwise.
-fn not_negative(number: &Spanned<f64>, what: &str, report: &mut Report) -> Option<f64> {
+fn not_negative(number: &Spanned<f64>, what: &str, help: &str, report: &mut Report) -> Option<f64> {
     if *number.get_ref() >= 0.0 {
         return Some(*number.get_ref());
     }
-    report
-        .mistake(&number.span(), format!("{what} is below zero"), "negative")
-        .help("write a number that is not negative");
+    report.mistake(&number.span(), format!("{what} is below zero"), "negative").help(help);
     None
 }
 
@@ -114,7 +117,11 @@ pub(crate) fn named_sections<'t, T>(
     };
     let Some(list) = value.get_ref().as_array() else {
         report
-            .mistake(&value.span(), format!("`{key}` must be a list of sections"), "a single section")
+            .mistake(
+                &value.span(),
+                format!("`{key}` must be a list of sections"),
+                "a single section",
+            )
             .help(format!("write `[[{key}]]` in double brackets, one for each {one}"));
         return parts;
     };

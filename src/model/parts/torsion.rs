@@ -52,7 +52,9 @@ impl Parts<'_> {
                 Some((Curve::Table(table.shifted(-angle)), 0.0))
             }
             (Curve::Linear(k), None) => Some((Curve::Linear(k), 0.0 - k * free)),
-            (curve, preload) => Some((curve, preload.map_or(0.0, |moment| 0.0 - moment.into_inner()))),
+            (curve, preload) => {
+                Some((curve, preload.map_or(0.0, |moment| 0.0 - moment.into_inner())))
+            }
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Vertical tyres on level ground.
 
+use super::Parts;
 use super::law::LENGTH;
 use super::line::Element;
-use super::Parts;
 use crate::mechanism::{Acts, BodyId, Contact, ForceKind, Law};
 use crate::model::diagnostics::Report;
 use crate::model::quantity::Quantity;
@@ -25,10 +25,8 @@ pub(crate) struct TyreFile {
     pub(crate) law: Law,
 }
 
-const CONTACTS: &[(&str, TyreContact)] = &[
-    ("contact-patch", TyreContact::ContactPatch),
-    ("wheel-center", TyreContact::WheelCenter),
-];
+const CONTACTS: &[(&str, TyreContact)] =
+    &[("contact-patch", TyreContact::ContactPatch), ("wheel-center", TyreContact::WheelCenter)];
 
 impl Parts<'_> {
     /// λ = −F(deflection) + c Φ̇ with Φ the height above the ground; −λ is the load.
@@ -53,7 +51,8 @@ impl Parts<'_> {
     /// A tyre of a mechanism, on any of its bodies.
     pub(super) fn tyre(&self, section: &mut Section, report: &mut Report) -> Option<Element> {
         let body = self.loaded_body(section, report);
-        let center = self.point(section, "center", "name the wheel centre: `center = \"…\"`", report);
+        let center =
+            self.point(section, "center", "name the wheel centre: `center = \"…\"`", report);
         let tyre = self.tyre_law(section, report);
         if !section.has("free_radius") {
             let help = "write the radius without load: `free_radius = 300.0`";
