@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use hardpoint::factors::FACTORS;
-use hardpoint::model::{Drive, Model};
+use hardpoint::model::{Drive, Model, Setup};
 use hardpoint::rig::{Corner, Event, Pose, Sweep, SweepPlan};
 
 /// The rows of a reference table by the names of its columns.
@@ -33,7 +33,7 @@ fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
 }
 
 fn sweep(model: &Model, drive: Drive, plan: &SweepPlan) -> Sweep {
-    let mut corner = Corner::new(model, drive).expect("the model moves");
+    let mut corner = Corner::new(model, &drive.into()).expect("the model moves");
     let sweep = Sweep::run(&mut corner, plan, |_| {});
     assert!(sweep.stops.is_empty(), "{:?}", sweep.stops);
     sweep
@@ -106,7 +106,7 @@ fn adams_both_sides() {
     let left = model("adams-tr-front");
     for model in [left.mirrored(), left] {
         let side = model.side.name();
-        let mut corner = Corner::new(&model, Drive::WheelCenter).expect("the model moves");
+        let mut corner = Corner::new(&model, &Setup::default()).expect("the model moves");
         let reference = table(include_str!("reference/adams-tr-front.csv"));
         assert_eq!(reference.len(), 9);
         for expected in reference {
