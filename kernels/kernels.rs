@@ -3,6 +3,8 @@
 
 include!("bushing_angles.rs");
 include!("bushing_angles_torque.rs");
+include!("bushing_rotation_vector.rs");
+include!("bushing_rotation_vector_torque.rs");
 include!("bushing_translation.rs");
 include!("displacement.rs");
 include!("distance.rs");
@@ -27,6 +29,10 @@ pub enum RelationKind {
     BushingAngles,
     /// Tait–Bryan angles in a bushing, with torques about its axes: (a, b, c) = 0, Bᵀ A_iᵀ A_j B_j = R_x(a) R_y(b) R_z(c); torques about B = [x_i y_i z_i], B_j = [x_j y_j z_j]
     BushingAnglesTorque,
+    /// Rotation vector in a bushing: Bᵀ θ = 0, A_iᵀ A_j the rotation by |θ| about θ, B = [x_i y_i z_i]
+    BushingRotationVector,
+    /// Rotation vector in a bushing, with torques about its axes: Bᵀ θ = 0, A_iᵀ A_j the rotation by |θ| about θ; torques about B = [x_i y_i z_i]
+    BushingRotationVectorTorque,
     /// Displacement in a bushing: Bᵀ A_iᵀ (r_j + A_j s_j − r_i − A_i s_i) = 0, B = [x_i y_i z_i]
     BushingTranslation,
     /// Prescribed coordinate of a point: (A_i a_i)ᵀ (r_j + A_j s_j − r_i − A_i s_i) − c = 0
@@ -65,6 +71,8 @@ impl RelationKind {
     pub const ALL: &'static [Self] = &[
         Self::BushingAngles,
         Self::BushingAnglesTorque,
+        Self::BushingRotationVector,
+        Self::BushingRotationVectorTorque,
         Self::BushingTranslation,
         Self::Displacement,
         Self::Distance,
@@ -91,6 +99,8 @@ impl RelationKind {
         match name {
             "bushing_angles" => Some(Self::BushingAngles),
             "bushing_angles_torque" => Some(Self::BushingAnglesTorque),
+            "bushing_rotation_vector" => Some(Self::BushingRotationVector),
+            "bushing_rotation_vector_torque" => Some(Self::BushingRotationVectorTorque),
             "bushing_translation" => Some(Self::BushingTranslation),
             "displacement" => Some(Self::Displacement),
             "distance" => Some(Self::Distance),
@@ -115,6 +125,8 @@ impl RelationKind {
         match self {
             Self::BushingAngles => &bushing_angles::SHAPE,
             Self::BushingAnglesTorque => &bushing_angles_torque::SHAPE,
+            Self::BushingRotationVector => &bushing_rotation_vector::SHAPE,
+            Self::BushingRotationVectorTorque => &bushing_rotation_vector_torque::SHAPE,
             Self::BushingTranslation => &bushing_translation::SHAPE,
             Self::Displacement => &displacement::SHAPE,
             Self::Distance => &distance::SHAPE,
@@ -138,6 +150,12 @@ impl RelationKind {
         match self {
             Self::BushingAngles => &bushing_angles::BushingAngles,
             Self::BushingAnglesTorque => &bushing_angles_torque::BushingAnglesTorque,
+            Self::BushingRotationVector => {
+                &bushing_rotation_vector::BushingRotationVector
+            }
+            Self::BushingRotationVectorTorque => {
+                &bushing_rotation_vector_torque::BushingRotationVectorTorque
+            }
             Self::BushingTranslation => &bushing_translation::BushingTranslation,
             Self::Displacement => &displacement::Displacement,
             Self::Distance => &distance::Distance,

@@ -29,6 +29,11 @@ pub trait Scalar:
     fn cos(self) -> Self;
     /// The angle (rad) of the point (`x`, `self`) from the x axis, in (−π, π].
     fn atan2(self, x: Self) -> Self;
+    /// The derivative of this order of g(x) = atan(√x)/√x, g(0) = 1, for x > −1.
+    ///
+    /// Twice the vector part of Euler parameters over the scalar part, times g of the
+    /// square of that quotient, is a rotation vector, at zero rotation as anywhere.
+    fn atan_ratio(self, order: u8) -> Self;
 }
 
 impl Scalar for f64 {
@@ -52,6 +57,45 @@ impl Scalar for f64 {
     fn atan2(self, x: Self) -> Self {
         f64::atan2(self, x)
     }
+    fn atan_ratio(self, order: u8) -> Self {
+        if (-0.25..=1.0).contains(&self) {
+            atan_ratio_near_zero(self, order)
+        } else {
+            atan_ratio_far_from_zero(self, order)
+        }
+    }
+}
+
+/// (−1)ⁿ n!/(2n + 1) F(n + 1, n + ½; n + 3/2; −x) in powers of x/(1 + x), whose terms
+/// are all positive for x > 0 (Abramowitz and Stegun, 15.3.4).
+fn atan_ratio_near_zero(x: f64, order: u8) -> f64 {
+    let n = f64::from(order);
+    let mut power = 1.0;
+    for factor in 1..=order {
+        power *= -f64::from(factor) / (1.0 + x);
+    }
+    let ratio = x / (1.0 + x);
+    let (mut sum, mut term, mut k) = (0.0, 1.0, 0.0);
+    while f64::abs(term) > f64::EPSILON / 8.0 {
+        sum += term;
+        term *= ratio * (n + 1.0 + k) / (n + 1.5 + k);
+        k += 1.0;
+    }
+    power / (1.0 + x) * sum / (2.0 * n + 1.0)
+}
+
+/// From order to order by 2x g⁽ⁿ⁺¹⁾ + (2n + 1) g⁽ⁿ⁾ = (−1)ⁿ n!/(1 + x)ⁿ⁺¹, which loses
+/// digits only near zero. Not a number for x ≤ −1.
+fn atan_ratio_far_from_zero(x: f64, order: u8) -> f64 {
+    let root = x.abs().sqrt();
+    let mut value = if x > 0.0 { root.atan() / root } else { root.atanh() / root };
+    let mut power = 1.0 / (1.0 + x);
+    for n in 0..order {
+        let n = f64::from(n);
+        value = (power - (2.0 * n + 1.0) * value) / (2.0 * x);
+        power *= -(n + 1.0) / (1.0 + x);
+    }
+    value
 }
 
 /// A forward dual number `value + ε derivative`, ε² = 0.
@@ -139,5 +183,9 @@ impl Scalar for Dual {
         let square = x.value * x.value + self.value * self.value;
         let derivative = (self.derivative * x.value - x.derivative * self.value) / square;
         Self::new(self.value.atan2(x.value), derivative)
+    }
+    fn atan_ratio(self, order: u8) -> Self {
+        let slope = self.value.atan_ratio(order + 1);
+        Self::new(self.value.atan_ratio(order), self.derivative * slope)
     }
 }

@@ -89,3 +89,24 @@ fn torsion_is_the_right_handed_angle_about_its_axis() {
         assert_same(&measured(RelationKind::Torsion, p_i, p_j, &h), &[angle - 0.25]);
     }
 }
+
+/// Body j is turned about any axis; the rotation vector is angle times axis.
+#[test]
+fn rotation_vectors_are_angle_times_axis() {
+    let mut rng = fastrand::Rng::with_seed(6);
+    for angle in [0.0, 1e-12, 1e-6, 0.02, -0.5, 1.9, 3.0, -3.0] {
+        let [p_i, frame, direction] = [(); 3].map(|()| random_turn(&mut rng));
+        let axis = column(direction, 0);
+        let turned = product(p_i, turn(axis, angle));
+        // Both signs of Euler parameters are one rotation.
+        for p_j in [turned, turned.map(|e| -e)] {
+            let axes = [0, 1, 2].map(|k| column(frame, k));
+            let expected = axes.map(|b| angle * (b[0] * axis[0] + b[1] * axis[1] + b[2] * axis[2]));
+            let h = axes.concat();
+            let kind = RelationKind::BushingRotationVector;
+            assert_same(&measured(kind, p_i, p_j, &h), &expected);
+            let kind = RelationKind::BushingRotationVectorTorque;
+            assert_same(&measured(kind, p_i, p_j, &h), &expected);
+        }
+    }
+}

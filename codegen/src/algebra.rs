@@ -12,6 +12,9 @@ use symbolica::prelude::{Atom, AtomCore, AtomView, Symbol};
 use symbolica::symbol;
 
 use crate::alphabet::Alphabet;
+use crate::polynomial::{
+    common_factor, expanded_terms, is_negative, is_simple, leading_coefficient, substitute, symbols,
+};
 
 /// A polynomial of so many terms is still compared in its expanded form.
 const SMALL: usize = 32;
@@ -31,6 +34,8 @@ pub enum Function {
     Cosine,
     /// The angle of the point (x, y), from y and x in this order.
     Angle,
+    /// The derivative of this order of atan(√x)/√x, which is smooth at 0.
+    AtanRatio(u8),
 }
 
 /// What an intermediate stands for.
@@ -259,6 +264,9 @@ impl Algebra {
             Function::Root => vec![self.apply(Function::Reciprocal, &[value]) / Atom::num(2)],
             Function::Sine => vec![self.apply(Function::Cosine, arguments)],
             Function::Cosine => vec![-self.apply(Function::Sine, arguments)],
+            Function::AtanRatio(order) => {
+                vec![self.apply(Function::AtanRatio(order + 1), arguments)]
+            }
             Function::Angle => {
                 let (y, x) = (&arguments[0], &arguments[1]);
                 let square = self.apply(Function::Reciprocal, &[x * x + y * y]);
@@ -347,75 +355,5 @@ impl Algebra {
             Atom::add_many(terms)
         };
         variables.iter().map(|&variable| entry(variable)).collect()
-    }
-}
-
-/// All symbols of an expression in the order of their registration.
-pub fn symbols(atom: &Atom) -> Vec<Symbol> {
-    let mut symbols: Vec<_> = atom.get_all_symbols(false).into_iter().collect();
-    symbols.sort_by_key(Symbol::get_id);
-    symbols
-}
-
-fn substitute(atom: &Atom, symbol: Symbol, value: &Atom) -> Atom {
-    atom.replace_map(|view, _, out| {
-        if matches!(view, AtomView::Var(variable) if variable.get_symbol() == symbol) {
-            **out = value.clone();
-        }
-    })
-}
-
-/// Whether this is a number, a symbol, or a number times a symbol.
-fn is_simple(view: AtomView<'_>) -> bool {
-    match view {
-        AtomView::Num(_) | AtomView::Var(_) => true,
-        AtomView::Mul(product) => {
-            product.get_nargs() == 2
-                && product.iter().all(|part| matches!(part, AtomView::Num(_) | AtomView::Var(_)))
-                && product.iter().any(|part| matches!(part, AtomView::Num(_)))
-        }
-        _ => false,
-    }
-}
-
-/// The coefficient of the first term; `None` for zero.
-fn leading_coefficient(atom: &Atom) -> Option<Atom> {
-    if atom.is_zero() { None } else { atom.terms().next().map(coefficient) }
-}
-
-fn coefficient(term: AtomView<'_>) -> Atom {
-    match term {
-        AtomView::Num(number) => number.as_view().to_owned(),
-        AtomView::Mul(product) => product
-            .iter()
-            .find(|part| matches!(part, AtomView::Num(_)))
-            .map_or_else(Atom::one, |number| number.to_owned()),
-        _ => Atom::one(),
-    }
-}
-
-fn is_negative(number: &Atom) -> bool {
-    number.to_plain_string().starts_with('-')
-}
-
-/// The size of the first coefficient, with the sign that most terms have.
-fn common_factor(atom: &Atom) -> Atom {
-    let first = leading_coefficient(atom).unwrap_or_else(Atom::one);
-    let size = if is_negative(&first) { -first } else { first };
-    let minus = atom.terms().filter(|term| is_negative(&coefficient(*term))).count();
-    if 2 * minus > atom.terms().count() { -size } else { size }
-}
-
-/// A bound of the number of terms after expansion.
-fn expanded_terms(view: AtomView<'_>) -> usize {
-    match view {
-        AtomView::Add(sum) => sum.iter().map(expanded_terms).fold(0, usize::saturating_add),
-        AtomView::Mul(product) => product.iter().map(expanded_terms).fold(1, usize::saturating_mul),
-        AtomView::Pow(power) => {
-            let (base, exponent) = power.get_base_exp();
-            let times = exponent.to_plain_string().parse().unwrap_or(1);
-            expanded_terms(base).saturating_pow(times)
-        }
-        _ => 1,
     }
 }

@@ -172,6 +172,10 @@ fn piece(
                 Function::Root => joined(quote!(#inner.sqrt()), Binding::Whole, &[a]),
                 Function::Sine => joined(quote!(#inner.sin()), Binding::Whole, &[a]),
                 Function::Cosine => joined(quote!(#inner.cos()), Binding::Whole, &[a]),
+                Function::AtanRatio(order) => {
+                    let order = Literal::u8_unsuffixed(order);
+                    joined(quote!(#inner.atan_ratio(#order)), Binding::Whole, &[a])
+                }
                 Function::Angle => {
                     let b = b.unwrap_or_else(|| unreachable!("an angle has two arguments"));
                     let x = &pieces[b].tokens;

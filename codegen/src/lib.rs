@@ -10,7 +10,7 @@
 //! | text → TOML tables | [`definition`] |
 //! | strings → expressions | [`expression`] |
 //! | names, shapes and units checked | [`validate`], `quantity`, [`mod@unit`] |
-//! | expressions → scalars over named intermediates | [`lower`], [`algebra`], [`alphabet`] |
+//! | expressions → scalars over named intermediates | [`lower`], [`algebra`], `polynomial`, [`alphabet`] |
 //! | scalars → derivatives | [`differentiate`] |
 //! | derivatives → straight-line programs | [`program`], [`translate`], [`kernel`], [`energy`] |
 //! | programs → Rust tokens → files | [`emit`], [`emit_relation`], [`emit_energy`], `body`, [`render`] |
@@ -30,6 +30,7 @@ pub mod energy;
 pub mod expression;
 pub mod kernel;
 pub mod lower;
+mod polynomial;
 pub mod program;
 mod quantity;
 pub mod render;
@@ -235,6 +236,11 @@ fn mistakes(checked: &Checked, error: &KernelError) -> Vec<Mistake> {
             span.clone(),
             "the root of a number that is not positive has no derivative",
             "take the root of something that is always positive",
+        ),
+        Flaw::AtanRatioOfConstant(span) => Mistake::new(
+            span.clone(),
+            "`atan_ratio` has no value for -1 and smaller numbers",
+            "give it something that is always larger than -1, such as a square",
         ),
         Flaw::AngleOfOrigin(span) => Mistake::new(
             span.clone(),

@@ -23,6 +23,8 @@ pub enum Flaw {
     ZeroDivisor(Range<usize>),
     /// A root, at this place of the file, of zero or a negative number.
     RootOfConstant(Range<usize>),
+    /// An `atan_ratio`, at this place of the file, of −1 or a smaller number.
+    AtanRatioOfConstant(Range<usize>),
     /// An angle, at this place of the file, of a point that is always the origin.
     AngleOfOrigin(Range<usize>),
     /// An energy does not depend on the velocity.
@@ -306,6 +308,13 @@ impl Lowering {
         self.apply(Function::Angle, &[y, x])
     }
 
+    fn atan_ratio(&mut self, argument: Atom, span: &Range<usize>) -> Value {
+        if self.algebra.is_not_positive(&(&argument + Atom::one())) {
+            self.flaws.push(Flaw::AtanRatioOfConstant(span.clone()));
+        }
+        self.apply(Function::AtanRatio(0), &[argument])
+    }
+
     fn apply(&mut self, function: Function, arguments: &[Atom]) -> Value {
         Value::Scalar(self.algebra.apply(function, arguments))
     }
@@ -330,6 +339,7 @@ impl Lowering {
             "sqrt" => self.root(next().scalar(), span),
             "sin" => self.apply(Function::Sine, &[next().scalar()]),
             "cos" => self.apply(Function::Cosine, &[next().scalar()]),
+            "atan_ratio" => self.atan_ratio(next().scalar(), span),
             "atan2" => self.angle(next().scalar(), next().scalar(), span),
             _ => unreachable!("functions were checked"),
         }

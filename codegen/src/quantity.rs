@@ -64,8 +64,8 @@ const GIVEN: [(&str, Shape, Unit, Place); 7] = [
 ];
 
 /// The functions of the language.
-pub(crate) const FUNCTIONS: [&str; 8] =
-    ["dot", "cross", "norm", "transpose", "sqrt", "sin", "cos", "atan2"];
+pub(crate) const FUNCTIONS: [&str; 9] =
+    ["dot", "cross", "norm", "transpose", "sqrt", "sin", "cos", "atan2", "atan_ratio"];
 
 /// What is known while a file is checked, and the mistakes found so far.
 pub(crate) struct Checker {
@@ -285,7 +285,7 @@ impl Checker {
                 Some(unit) => return quantity(Scalar, unit),
                 None => "a number whose unit has a root",
             },
-            ("sin" | "cos", [Scalar]) if arguments[0].unit == Unit::ONE => {
+            ("sin" | "cos" | "atan_ratio", [Scalar]) if arguments[0].unit == Unit::ONE => {
                 return quantity(Scalar, Unit::ONE);
             }
             ("atan2", [Scalar, Scalar]) if arguments[0].unit == arguments[1].unit => {
@@ -297,6 +297,7 @@ impl Checker {
             ("transpose", _) => "a 3×3 matrix",
             ("sqrt", _) => "a number",
             ("atan2", _) => "two numbers of one unit, the sine of the angle first",
+            ("atan_ratio", _) => "a number without dimension, larger than -1",
             ("sin" | "cos", _) => "a number without dimension, an angle in radians",
             _ => {
                 let help = match closest(name, FUNCTIONS.into_iter()) {

@@ -54,6 +54,17 @@ pub fn residual(kind: RelationKind, state: &State) -> Vec<f64> {
         RelationKind::ForceInBody | RelationKind::MomentInBody | RelationKind::MomentInSpace => {
             vec![0.0]
         }
+        RelationKind::BushingRotationVector | RelationKind::BushingRotationVectorTorque => {
+            // Angle and axis from the trace and the unsymmetric part of A_iᵀ A_j.
+            let r: [[f64; 3]; 3] = std::array::from_fn(|row| {
+                std::array::from_fn(|column| (0..3).map(|k| a[0][k][row] * a[1][k][column]).sum())
+            });
+            let axis = [r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]];
+            let sine = dot(&axis, &axis).sqrt() / 2.0;
+            let angle = sine.atan2((r[0][0] + r[1][1] + r[2][2] - 1.0) / 2.0);
+            let theta = axis.map(|component| component * angle / (2.0 * sine));
+            (0..3).map(|k| dot(&h[3 * k..3 * k + 3], &theta)).collect()
+        }
         RelationKind::PositionAlong => vec![dot(&h[0..3], &point(0, &h[3..6])) - h[6]],
         RelationKind::Torsion => {
             let u = times(&a[1], &h[6..9]);
@@ -94,7 +105,7 @@ pub fn applied<S: Scalar>(kind: RelationKind, q: &[S; 14], h: &[S], lambda: &[S]
     let zero = [S::from_f64(0.0); 3];
     let p_i = [q[3], q[4], q[5], q[6]];
     match kind {
-        RelationKind::BushingAnglesTorque => {
+        RelationKind::BushingAnglesTorque | RelationKind::BushingRotationVectorTorque => {
             let axes = [vector(&h[0..3]), vector(&h[3..6]), vector(&h[6..9])];
             let local = (0..3).fold(zero, |sum, k| add(sum, scale(lambda[k], axes[k])));
             let moment = rotate(p_i, local);

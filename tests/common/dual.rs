@@ -4,7 +4,7 @@
 use hardpoint::kernels::RelationKind;
 use hardpoint::relation::{Place, Shape};
 use hardpoint::scalar::Scalar;
-use num_dual::{Dual64, DualNum as _, HyperDual, HyperDual64};
+use num_dual::{Dual64, DualNum as _, DualStruct as _, HyperDual, HyperDual64};
 
 /// A number type of `num-dual` as a scalar of ours, which the orphan rule asks for.
 #[derive(Clone, Copy, Debug)]
@@ -67,6 +67,14 @@ macro_rules! foreign {
             #[inline(always)]
             fn atan2(self, x: Self) -> Self {
                 Self(self.0.atan2(x.0))
+            }
+            fn atan_ratio(self, order: u8) -> Self {
+                // Taylor's series ends where a product of infinitesimals vanishes.
+                let (at, step) = (self.0.re(), self.0 - self.0.re());
+                let series = (0..4).rev().fold(<$type>::from(0.0), |sum, n: u8| {
+                    (sum * step) / f64::from(n + 1) + at.atan_ratio(order + n)
+                });
+                Self(series)
             }
         }
     };

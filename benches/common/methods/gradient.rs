@@ -104,6 +104,9 @@ impl<const N: usize> Scalar for Gradient<N> {
         let slopes = [x.value / square, -self.value / square];
         Self::chain_two(self.value.atan2(x.value), [self, x], slopes)
     }
+    fn atan_ratio(self, order: u8) -> Self {
+        self.chain(self.value.atan_ratio(order), self.value.atan_ratio(order + 1))
+    }
 }
 
 /// Φ_q from Φ in one evaluation.

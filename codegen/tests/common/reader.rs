@@ -2,9 +2,10 @@
 
 use std::collections::HashMap;
 
+use super::atan_ratio;
 use hardpoint_codegen::expression::{Expression, Kind, Operator};
 use hardpoint_codegen::validate::Heading;
-use num_dual::{Dual64, DualNum as _, HyperDual};
+use num_dual::{Dual64, DualNum as _, DualStruct as _, HyperDual};
 
 /// Third-order dual numbers: the force of an energy has second derivatives already.
 pub type Number = HyperDual<Dual64>;
@@ -109,6 +110,14 @@ impl<'a> Reader<'a> {
                     ("sqrt", [Value::Scalar(a)]) => Value::Scalar(a.sqrt()),
                     ("sin", [Value::Scalar(a)]) => Value::Scalar(a.sin()),
                     ("cos", [Value::Scalar(a)]) => Value::Scalar(a.cos()),
+                    ("atan_ratio", [Value::Scalar(a)]) => {
+                        // Taylor's series ends where a product of infinitesimals vanishes.
+                        let (at, step) = (a.re(), *a - a.re());
+                        let series = (0..4).rev().fold(Number::from(0.0), |sum, n: u8| {
+                            (sum * step) / f64::from(n + 1) + atan_ratio(at, n)
+                        });
+                        Value::Scalar(series)
+                    }
                     ("atan2", [Value::Scalar(y), Value::Scalar(x)]) => Value::Scalar(y.atan2(*x)),
                     other => panic!("{other:?} was accepted"),
                 }
