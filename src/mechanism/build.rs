@@ -312,7 +312,11 @@ pub(super) fn new_name<'a>(
     Ok(())
 }
 
-pub(super) fn finite(what: &'static str, name: &str, numbers: &[f64]) -> Result<(), MechanismError> {
+pub(super) fn finite(
+    what: &'static str,
+    name: &str,
+    numbers: &[f64],
+) -> Result<(), MechanismError> {
     match numbers.iter().find(|number| !number.is_finite()) {
         Some(&value) => Err(MechanismError::NotFinite { what, name: name.to_owned(), value }),
         None => Ok(()),

@@ -144,11 +144,7 @@ impl Mechanism {
                     return Ok(());
                 }
                 let body = |id: BodyId| self.bodies[id.0].name.clone();
-                Err(MechanismError::NotFromGround {
-                    name: name.to_owned(),
-                    i: body(i),
-                    j: body(j),
-                })
+                Err(MechanismError::NotFromGround { name: name.to_owned(), i: body(i), j: body(j) })
             }
         }
     }

@@ -160,7 +160,9 @@ pub enum MechanismError {
         name: String,
     },
     /// A load or a tyre between two moving bodies.
-    #[error("force `{name}` acts on `{j}` from the ground, but its first body is `{i}`; name the ground first")]
+    #[error(
+        "force `{name}` acts on `{j}` from the ground, but its first body is `{i}`; name the ground first"
+    )]
     NotFromGround {
         /// The force element.
         name: String,

@@ -168,9 +168,9 @@ impl ForceKind {
         match self {
             Self::Line { on_i, on_j, .. } => Some([*on_i, *on_j]),
             Self::Bushing(bushing) => Some([bushing.at; 2]),
-            Self::Tyre { contact: Contact::Center(center) | Contact::Patch { center, .. }, .. } => {
-                Some([*center; 2])
-            }
+            Self::Tyre {
+                contact: Contact::Center(center) | Contact::Patch { center, .. }, ..
+            } => Some([*center; 2]),
             Self::PointForce { at, .. } => Some([*at; 2]),
             Self::Torsion { .. } | Self::Moment { .. } => None,
         }

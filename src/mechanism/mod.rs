@@ -14,8 +14,8 @@
 
 mod build;
 mod composition;
-mod error;
 mod elements;
+mod error;
 mod expansion;
 mod force;
 mod labels;
