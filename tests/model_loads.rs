@@ -11,7 +11,7 @@ use hardpoint::mechanism::{
 };
 use hardpoint::model::{
     AngleUnit, Axes, Chassis, Drive, ForceUnit, LengthUnit, MassUnit, Model, Quantity, Setup,
-    SuspensionError, TyreContact, Units, WheelSupport,
+    TyreContact, Units, WheelSupport,
 };
 use hardpoint::relation::Coordinates;
 use hardpoint::solve::System;
@@ -281,7 +281,7 @@ fn random_motion(mechanism: &Mechanism) -> [Vec<Coordinates<f64>>; 2] {
 }
 
 fn full(drive: Drive) -> Setup {
-    Setup { drive, support: WheelSupport::Tyre, ..Setup::default() }
+    Setup { drive, support: WheelSupport::Free, ..Setup::default() }
 }
 
 fn close(a: &Answer, b: &Answer, what: &str) {
@@ -381,7 +381,7 @@ fn setups_choose_what_stands_where() {
     assert_eq!(held.mechanism.bodies()[held.chassis.index()].name, "chassis");
     assert_eq!(held.chassis.index(), 0);
 
-    let setup = Setup { support: WheelSupport::Tyre, chassis: Chassis::Slide, ..Setup::default() };
+    let setup = Setup { support: WheelSupport::Free, chassis: Chassis::Slide, ..Setup::default() };
     let standing = model.suspension(&setup).unwrap();
     let m = &standing.mechanism;
     let names: Vec<&str> = m.bodies().iter().map(|body| body.name.as_str()).collect();
@@ -404,8 +404,8 @@ fn setups_choose_what_stands_where() {
 
     let plain = load("double-wishbone");
     assert!(!plain.has_forces() && !plain.has_tyre() && !plain.is_quarter_car());
-    let tyre = Setup { support: WheelSupport::Tyre, ..Setup::default() };
-    assert!(matches!(plain.suspension(&tyre), Err(SuspensionError::NoTyre(_))));
+    let tyre = Setup { support: WheelSupport::Free, ..Setup::default() };
+    assert_eq!(plain.suspension(&tyre).unwrap().tyre, None);
     let slide = Setup { chassis: Chassis::Slide, ..Setup::default() };
     let error = plain.suspension(&slide).unwrap_err();
     assert!(error.to_string().contains("quarter_car"), "{error}");

@@ -67,7 +67,7 @@ impl Corner {
         };
         let released = match setup.support {
             WheelSupport::Held => vec![],
-            WheelSupport::Tyre => vec![suspension.travel],
+            WheelSupport::Free => vec![suspension.travel],
         };
         let stand = Stand::new(suspension.mechanism.clone(), &released, model.axes)?;
         // What the rig puts on the wheel is an input, not a result.
@@ -172,7 +172,7 @@ impl Corner {
         let driven = |driver| self.stand.driver_value(driver);
         let travel = match self.setup.support {
             WheelSupport::Held => driven(self.suspension.travel),
-            WheelSupport::Tyre => {
+            WheelSupport::Free => {
                 let design = mechanism.points()[wheel.center.index()].position;
                 let chassis = self.suspension.chassis.index();
                 let sunk = state[chassis][2] - mechanism.bodies()[chassis].origin[2];
@@ -209,7 +209,7 @@ impl Corner {
                 let force = -self.stand.equilibrium().driver_multiplier(travel);
                 Some(WheelLoad { force, rate: self.stand.driver_rate(travel) })
             }
-            WheelSupport::Tyre => {
+            WheelSupport::Free => {
                 let force = self.stand.equilibrium().loaded().force(self.suspension.tyre?);
                 Some(WheelLoad { force: force.force[2], rate: None })
             }
