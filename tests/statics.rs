@@ -2,59 +2,13 @@
 
 mod common;
 
-use common::{DoubleWishbone, TieRod, double_wishbone};
+use common::sedan::{placed_sedan, sedan};
 use hardpoint::mechanism::{
-    Acts, BodyId, Contact, Curve, Direction, DriverKind, ForceKind, JointKind, Law, LoadFrame,
+    Acts, BodyId, Contact, Direction, DriverKind, ForceKind, JointKind, Law, LoadFrame,
     MassProperties, Mechanism, PointId, Reference,
 };
 use hardpoint::solve::equilibrium::Equilibrium;
 use hardpoint::solve::{StaticFailure, StaticReport, System};
-
-/// Mass and centre of mass of the sedan's bodies; inertias do not matter here.
-const MASSES: [(&str, f64, [f64; 3]); 4] = [
-    ("lca", 4.2, [0.0048, 0.6112, -0.2932]),
-    ("uca", 2.1, [-0.1083, 0.5972, 0.1063]),
-    ("upright", 38.0, [-0.006, 0.775, -0.118]),
-    ("tierod", 0.8, [-0.175, 0.595, -0.12]),
-];
-
-/// The sedan's suspension with its masses, its spring and, if asked for, its tyre, the chassis
-/// fixed; its points moved by `place`, a rigid motion that keeps heights, and vectors turned by `turn`.
-fn placed_sedan(
-    tyre: bool,
-    place: impl Fn([f64; 3]) -> [f64; 3] + Copy,
-    turn: impl Fn([f64; 3]) -> [f64; 3],
-) -> DoubleWishbone {
-    let mut car = double_wishbone(TieRod::Universal, place, turn).unwrap();
-    let m = &mut car.mechanism;
-    m.set_gravity([0.0, 0.0, -9.81]).unwrap();
-    for (name, mass, center) in MASSES {
-        let body = m.body_named(name).unwrap();
-        let center = place(center);
-        m.set_mass(body, MassProperties { mass, center, inertia: [0.0; 6] }).unwrap();
-    }
-    let on_i = m.add_point("spring_upper", place([-0.04, 0.52, 0.23])).unwrap();
-    let on_j = m.add_point("spring_lower", place([0.0, 0.62, -0.27])).unwrap();
-    let lca = m.body_named("lca").unwrap();
-    let law = Law { viscous: Curve::Linear(6000.0), ..Law::spring(70_000.0) };
-    let reference = Reference::Length(0.605);
-    let spring = ForceKind::Line { on_i, on_j, reference, law };
-    m.add_force("spring", BodyId::GROUND, lca, spring).unwrap();
-    if tyre {
-        let kind = ForceKind::Tyre {
-            contact: Contact::Center(car.wheel_center),
-            free_radius: 0.3266,
-            ground: -0.428,
-            law: Law::spring(220_000.0),
-        };
-        m.add_force("tyre", BodyId::GROUND, car.upright, kind).unwrap();
-    }
-    car
-}
-
-fn sedan(tyre: bool) -> DoubleWishbone {
-    placed_sedan(tyre, |p| p, |v| v)
-}
 
 /// Sedan on a fixed chassis: independent minimal-coordinate solution on 50-digit kinematics.
 #[test]

@@ -1,7 +1,7 @@
 //! Force elements, ready to be evaluated.
 
 use super::block::{Block, Places};
-use super::terms::Term;
+use super::terms::{Term, multiply};
 use crate::mechanism::{Expansion, Law, Owner, Response};
 use crate::relation::{BODY_COORDINATES, Coordinates, Shape};
 
@@ -39,6 +39,8 @@ pub struct Elements {
     laws: Vec<Law>,
     values: Vec<f64>,
     rates: Vec<f64>,
+    // W q̇, the rates that forces work on; the same as Φ̇ for relations that state no `work`.
+    work_rates: Vec<f64>,
     responses: Vec<Response>,
     // The value of each periodic element at the last accepted state.
     memory: Vec<f64>,
@@ -96,6 +98,7 @@ impl Elements {
             },
             values: numbers.clone(),
             rates: numbers.clone(),
+            work_rates: numbers.clone(),
             memory: numbers,
             responses: vec![Response::default(); laws.len()],
             list,
@@ -131,6 +134,28 @@ impl Elements {
     /// The laws, to be changed along a load schedule.
     pub fn laws_mut(&mut self) -> &mut [Law] {
         &mut self.laws
+    }
+
+    /// The potential energy (J) of elastic forces, preloads and weights at the last evaluation.
+    /// Forces that work on something else than the change of their value have none.
+    pub fn potential(&self) -> f64 {
+        let elements = self.list.iter().filter(|element| !element.term.shape.has_work());
+        let values = elements.flat_map(|element| element.term.equations.clone());
+        values.map(|k| self.laws[k].potential(self.values[k])).sum()
+    }
+
+    /// The power (W) of all forces that [`Self::potential`] does not contain at the last
+    /// evaluation: negative where dampers dissipate.
+    pub fn power(&self) -> f64 {
+        let power = |element: &Element| -> f64 {
+            let values = element.term.equations.clone();
+            let force = |k: usize| match element.term.shape.has_work() {
+                true => self.responses[k].force,
+                false => self.responses[k].force - self.laws[k].conservative(self.values[k]),
+            };
+            values.map(|k| -force(k) * self.work_rates[k]).sum()
+        };
+        self.list.iter().map(power).sum()
     }
 
     /// Remembers the last evaluation as an accepted state, from which angles are counted on.
@@ -183,11 +208,12 @@ impl Elements {
         }
         let (v_i, v_j) = (&motion.velocity[term.i], &motion.velocity[term.j]);
         let rates = &mut self.rates[equations.clone()];
-        rates.fill(0.0);
-        for (&(equation, local), value) in shape.jacobian.iter().zip(&*phi_q) {
-            let local = usize::from(local);
-            let v = if local < BODY_COORDINATES { v_i } else { v_j };
-            rates[usize::from(equation)] += value * v[local % BODY_COORDINATES];
+        multiply(term, shape.jacobian, phi_q, motion.velocity, rates);
+        let work_rates = &mut self.work_rates[equations.clone()];
+        if shape.has_work() {
+            multiply(term, shape.work, work, motion.velocity, work_rates);
+        } else {
+            work_rates.copy_from_slice(rates);
         }
         let responses = &mut self.responses[equations.clone()];
         for (k, law) in self.laws[equations.clone()].iter().enumerate() {

@@ -86,6 +86,9 @@ pub struct Terms {
     pub(super) phi_q: Vec<f64>,
     pub(super) work: Vec<f64>,
     pub(super) curvature: Vec<f64>,
+    phi: Vec<f64>,
+    rate: Vec<f64>,
+    rate_h: Vec<f64>,
     phi_h: Vec<f64>,
     force_h: Vec<f64>,
     zero: Vec<f64>,
@@ -102,6 +105,9 @@ impl Terms {
             phi_q: scratch(|shape| shape.jacobian.len()),
             work: scratch(|shape| shape.work.len()),
             curvature: scratch(|shape| shape.curvature.len()),
+            phi: scratch(|shape| shape.equations),
+            rate: scratch(|shape| shape.rate.len()),
+            rate_h: scratch(|shape| shape.rate_design.len()),
             phi_h: scratch(|shape| shape.design.len()),
             force_h: scratch(|shape| shape.force_design.len()),
             zero: scratch(|shape| shape.equations),
@@ -114,6 +120,42 @@ impl Terms {
         for term in &self.list {
             let phi = &mut phi[term.equations.clone()];
             term.kernels.residual(term.place(state, h), phi);
+        }
+    }
+
+    /// Φ_q v, all equations: how fast Φ changes with the velocities v.
+    pub fn velocity_product(
+        &mut self,
+        state: &[Coordinates<f64>],
+        velocity: &[Coordinates<f64>],
+        h: &[f64],
+        product: &mut [f64],
+    ) {
+        for term in &self.list {
+            let shape = term.shape;
+            let phi_q = &mut self.phi_q[..shape.jacobian.len()];
+            let work = &mut self.work[..shape.work.len()];
+            let phi = &mut self.phi[..shape.equations];
+            term.kernels.jacobian(term.place(state, h), phi, phi_q, work);
+            multiply(term, shape.jacobian, phi_q, velocity, &mut product[term.equations.clone()]);
+        }
+    }
+
+    /// (Φ_q v)_q v, all equations: the part of Φ̈ = Φ_q v̇ + (Φ_q v)_q v that does not depend on v̇.
+    pub fn convective_acceleration(
+        &mut self,
+        state: &[Coordinates<f64>],
+        velocity: &[Coordinates<f64>],
+        h: &[f64],
+        product: &mut [f64],
+    ) {
+        for term in &self.list {
+            let shape = term.shape;
+            let rate = &mut self.rate[..shape.rate.len()];
+            let rate_h = &mut self.rate_h[..shape.rate_design.len()];
+            let (v_i, v_j) = (&velocity[term.i], &velocity[term.j]);
+            term.kernels.rate(term.place(state, h), v_i, v_j, rate, rate_h);
+            multiply(term, shape.rate, rate, velocity, &mut product[term.equations.clone()]);
         }
     }
 
@@ -166,5 +208,21 @@ impl Terms {
                 }
             }
         }
+    }
+}
+
+/// The product of a matrix of (equation, coordinate) entries with the velocities of two bodies.
+pub(super) fn multiply(
+    term: &Term,
+    pattern: &[(u8, u8)],
+    matrix: &[f64],
+    velocity: &[Coordinates<f64>],
+    product: &mut [f64],
+) {
+    product.fill(0.0);
+    for (&(equation, local), value) in pattern.iter().zip(matrix) {
+        let local = usize::from(local);
+        let body = if local < BODY_COORDINATES { term.i } else { term.j };
+        product[usize::from(equation)] += value * velocity[body][local % BODY_COORDINATES];
     }
 }

@@ -72,12 +72,7 @@ impl Equilibrium {
     pub fn released(system: &System, released: &[DriverId]) -> Self {
         let position = system.position();
         let expansion = system.expansion();
-        let mut left_out: Vec<usize> = (0..expansion.equation_count())
-            .filter(|&equation| position.numbering().row(equation).is_none())
-            .collect();
-        let free = |&equation: &usize| matches!(expansion.owner(equation), Owner::Driver(driver) if released.contains(&driver));
-        left_out.extend((0..expansion.equation_count()).filter(free));
-        let numbering = Numbering::new(expansion, &left_out);
+        let numbering = system.numbering_without(released);
         let elements = Elements::new(expansion);
         let kkt = Kkt::with_forces(system.terms().clone(), elements, Inertias::none(), &numbering);
         let equations = position.sizes().len();

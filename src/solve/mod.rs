@@ -12,6 +12,7 @@
 //! | `equilibrium` | both residuals of eq. (4): coordinates and multipliers |
 //! | `statics` | the robust way to an equilibrium, and why there is none |
 //! | `stability` | the stiffness against the motions that joints allow |
+//! | `dynamics` | motion in time |
 //! | `wrench` | reactions of joints and forces of elements |
 //! | `position` | Φ = 0 alone |
 //! | `travel` | continuation along driver values |
@@ -19,6 +20,7 @@
 //! | `stop` | why a mechanism cannot go on |
 
 mod convergence;
+pub mod dynamics;
 mod elimination;
 pub mod equilibrium;
 pub mod freedom;

@@ -9,7 +9,7 @@ use super::rank::{scaled_jacobian, select};
 use super::stop::{Stop, StopReason};
 use super::travel::{Failure, Travel};
 use crate::assembly::{Numbering, Terms, design_state};
-use crate::mechanism::{BodyId, DriverId, Expansion, Mechanism, PointId};
+use crate::mechanism::{BodyId, DriverId, Expansion, Mechanism, Owner, PointId};
 use crate::relation::Coordinates;
 
 /// The part of the way that a new choice of equations has to gain.
@@ -223,6 +223,18 @@ impl System {
 
     pub(super) fn terms(&self) -> &Terms {
         &self.terms
+    }
+
+    /// The independent equations without those of drivers that are let go.
+    pub(super) fn numbering_without(&self, released: &[DriverId]) -> Numbering {
+        let left_out: Vec<usize> = (0..self.expansion.equation_count())
+            .filter(|&equation| {
+                let owner = self.expansion.owner(equation);
+                let free = matches!(owner, Owner::Driver(driver) if released.contains(&driver));
+                free || self.position.numbering().row(equation).is_none()
+            })
+            .collect();
+        Numbering::new(&self.expansion, &left_out)
     }
 
     /// Moves the drivers to their targets.
