@@ -9,6 +9,7 @@ use super::stand::Stand;
 use super::sweep::{Event, Specimen, SweepPlan};
 use crate::mechanism::{BodyId, MechanismError, PointId};
 use crate::model::{Axes, Model, Setup, Side, Suspension, SuspensionError, WheelSupport};
+use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{
     FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop, SystemError,
@@ -162,7 +163,15 @@ impl Corner {
     /// Where wheel and steer axis are, and what the wheel carries.
     pub fn pose(&mut self) -> Pose<f64> {
         let load = self.wheel_load();
-        let state = self.stand.state();
+        Pose { load, ..self.pose_at(self.stand.state()) }
+    }
+
+    /// Where wheel and steer axis are at a state of the mechanism, with drivers that are held where
+    /// they are. What the wheel carries is not known there.
+    ///
+    /// # Panics
+    /// If the state belongs to another mechanism.
+    pub fn pose_at(&self, state: &[Coordinates<f64>]) -> Pose<f64> {
         let wheel = &self.suspension.wheel;
         let mechanism = self.stand.mechanism();
         let turned = rotation(state, wheel.body);
@@ -192,7 +201,7 @@ impl Corner {
                 .suspension
                 .steer_axis
                 .map(|axis| Axle { lower: point(axis.lower), upper: point(axis.upper) }),
-            load,
+            load: None,
             side: self.side,
             axes: self.axes,
         }
