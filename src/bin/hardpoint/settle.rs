@@ -42,10 +42,10 @@ pub struct Settle {
     /// The model or mechanism file.
     model: PathBuf,
     /// How long the motion is followed (s).
-    #[arg(long, default_value_t = 5.0, value_name = "S")]
+    #[arg(long, default_value_t = 5.0, allow_negative_numbers = true, value_name = "S")]
     seconds: f64,
     /// Length of all steps (s) [default: as long as --tolerance allows].
-    #[arg(long, value_name = "S")]
+    #[arg(long, allow_negative_numbers = true, value_name = "S")]
     step: Option<f64>,
     /// Local error of a step, relative to the size of the mechanism.
     #[arg(long, default_value_t = 1e-8, value_name = "E", conflicts_with = "step")]
@@ -249,6 +249,9 @@ impl Settle {
     }
 
     fn fails(&self, failure: DynamicsFailure) -> Failure {
+        if let DynamicsFailure::Setting { .. } = failure {
+            return Failure::Usage(failure.to_string());
+        }
         Failure::Motion(self.model.display().to_string(), failure)
     }
 }
