@@ -1,13 +1,16 @@
 //! Models mean the same in every unit, axis system and on every side.
 #![allow(missing_docs)]
 
-use hardpoint::model::{Alignment, AngleUnit, Architecture, Axes, LengthUnit, Model, Side};
+use hardpoint::model::{
+    Alignment, AngleUnit, Architecture, Axes, Document, LengthUnit, Model, Side,
+};
 use proptest::prelude::*;
 
 const AXES: [Axes; 3] = [Axes::Iso8855, Axes::Adams, Axes::Sae];
 const LENGTHS: [LengthUnit; 4] =
     [LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch];
 const SEDAN: &str = include_str!("../models/double-wishbone.toml");
+const EVERY_FORCE: &str = include_str!("fixtures/every-force.toml");
 
 fn load(name: &str) -> Model {
     Model::load(format!("models/{name}.toml")).unwrap_or_else(|e| panic!("{}", e.render()))
@@ -50,7 +53,7 @@ fn shipped_models_load() {
     for entry in std::fs::read_dir("models").unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|end| end == "toml") {
-            Model::load(&path).unwrap_or_else(|e| panic!("{}", e.render()));
+            Document::load(&path).unwrap_or_else(|e| panic!("{}", e.render()));
         }
     }
 }
@@ -247,14 +250,16 @@ proptest! {
     /// Right files with a piece cut out, doubled or replaced reach the code behind the parser.
     #[test]
     fn no_damage_panics(start in 0.0..1.0_f64, length in 0..60_usize,
-                        piece in prop::sample::select(vec!["", "[", "\"", "0", "nan", "lca_front", "é", "\n", " = ", "-1e300"])) {
+                        piece in prop::sample::select(vec!["", "[", "\"", "0", "nan", "lca_front", "é", "\n", " = ", "-1e300", "[]", "1e308", "\n[[forces]]\n"])) {
         let architecture = include_str!("../architectures/double-wishbone.toml");
-        for text in [SEDAN, architecture] {
+        let mechanism = include_str!("../models/anti-roll-bar.toml");
+        for text in [SEDAN, architecture, EVERY_FORCE, mechanism] {
             let start = text.floor_char_boundary((start * text.len() as f64) as usize);
             let end = text.ceil_char_boundary((start + length).min(text.len()));
             let damaged = format!("{}{piece}{}", &text[..start], &text[end..]);
             let _ = Model::parse("x.toml", &damaged).map_err(|e| e.render());
             let _ = Architecture::parse("x.toml", &damaged).map_err(|e| e.render());
+            let _ = Document::parse("x.toml", &damaged).map_err(|e| e.render());
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Every wrong file says what is wrong, where, and what to do.
 #![allow(missing_docs)]
 
-use hardpoint::model::{Architecture, Model, ModelDiagnostics};
+use hardpoint::model::{Architecture, Document, Model, ModelDiagnostics};
 
 /// The folders hold TOML files, each wrong in the way that its name says; the
 /// snapshot is the whole message.
@@ -16,6 +16,17 @@ fn wrong_models() {
         if name != "not-utf8.toml" {
             check(name, &error);
         }
+    });
+}
+
+#[test]
+fn wrong_mechanisms() {
+    insta::glob!("fixtures/wrong-mechanisms/*", |path| {
+        let name = path.file_name().unwrap().to_str().unwrap();
+        let error = Document::load(format!("tests/fixtures/wrong-mechanisms/{name}"));
+        let error = error.expect_err(name);
+        insta::assert_snapshot!(error.render());
+        check(name, &error);
     });
 }
 

@@ -2,7 +2,7 @@
 #![allow(missing_docs)]
 
 use hardpoint::mechanism::{BodyId, Direction, DriverKind, PointId};
-use hardpoint::model::{Alignment, Drive, Model, Suspension};
+use hardpoint::model::{Alignment, Drive, Model, Setup, Suspension};
 use hardpoint::solve::System;
 
 fn load(name: &str) -> Model {
@@ -17,7 +17,7 @@ struct Moved {
 
 impl Moved {
     fn new(model: &Model, drive: Drive, travel: f64, rack: f64) -> Self {
-        let suspension = model.suspension(drive).unwrap();
+        let suspension = model.suspension(&drive.into()).unwrap();
         let mut system = System::new(suspension.mechanism.clone()).unwrap();
         let mut targets = vec![(suspension.travel, travel / 1000.0)];
         targets.extend(suspension.rack.map(|driver| (driver, rack / 1000.0)));
@@ -57,7 +57,7 @@ fn assert_near(actual: &[f64], expected: &[f64], tolerance: f64) {
 
 #[test]
 fn double_wishbone_has_the_bodies_and_joints_of_its_architecture() {
-    let suspension = load("double-wishbone").suspension(Drive::WheelCenter).unwrap();
+    let suspension = load("double-wishbone").suspension(&Setup::default()).unwrap();
     let mechanism = &suspension.mechanism;
     let bodies: Vec<&str> = mechanism.bodies().iter().map(|b| b.name.as_str()).collect();
     assert_eq!(bodies, ["chassis", "lca", "uca", "upright", "tierod", "rack"]);
@@ -86,7 +86,7 @@ fn double_wishbone_has_the_bodies_and_joints_of_its_architecture() {
 fn joints_and_drivers_leave_no_freedom_and_no_redundancy() {
     for name in ["double-wishbone", "lotus-front", "adams-tr-front"] {
         for drive in [Drive::WheelCenter, Drive::ContactPatch] {
-            let suspension = load(name).suspension(drive).unwrap();
+            let suspension = load(name).suspension(&drive.into()).unwrap();
             let system = System::new(suspension.mechanism).unwrap();
             assert!(system.freedom().redundant.is_empty(), "{name}");
             assert!(system.freedom().free_motions.is_empty(), "{name}");
@@ -96,7 +96,7 @@ fn joints_and_drivers_leave_no_freedom_and_no_redundancy() {
 
 #[test]
 fn spin_axis_follows_the_points_that_define_it() {
-    let suspension = load("lotus-front").suspension(Drive::ContactPatch).unwrap();
+    let suspension = load("lotus-front").suspension(&Drive::ContactPatch.into()).unwrap();
     let point = |name| suspension.mechanism.point_named(name).unwrap();
     // The spindle point lies inboard, so the axis runs from it to the wheel centre.
     let outboard = Direction::Between(point("wheel_spindle"), point("wheel_center"));
@@ -195,6 +195,6 @@ fn points_moved_onto_each_other_are_refused_by_name() {
     let mut model = load("double-wishbone");
     let front = model.point("lca_front").unwrap();
     model.set_point("lca_rear", front);
-    let error = model.suspension(Drive::WheelCenter).unwrap_err().to_string();
+    let error = model.suspension(&Setup::default()).unwrap_err().to_string();
     assert!(error.contains("lca_pivot") && error.contains("lca_rear"), "{error}");
 }

@@ -10,7 +10,7 @@
 //! | text → TOML tables | [`definition`] |
 //! | strings → expressions | [`expression`] |
 //! | names, shapes and units checked | [`validate`], `quantity`, [`mod@unit`] |
-//! | expressions → scalars over named intermediates | [`lower`], [`algebra`], [`alphabet`] |
+//! | expressions → scalars over named intermediates | [`lower`], [`algebra`], `polynomial`, [`alphabet`] |
 //! | scalars → derivatives | [`differentiate`] |
 //! | derivatives → straight-line programs | [`program`], [`translate`], [`kernel`], [`energy`] |
 //! | programs → Rust tokens → files | [`emit`], [`emit_relation`], [`emit_energy`], `body`, [`render`] |
@@ -30,6 +30,7 @@ pub mod energy;
 pub mod expression;
 pub mod kernel;
 pub mod lower;
+mod polynomial;
 pub mod program;
 mod quantity;
 pub mod render;

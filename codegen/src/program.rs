@@ -35,7 +35,7 @@ pub struct Operations {
     pub multiplications: usize,
     /// Divisions.
     pub divisions: usize,
-    /// Square roots, sines, cosines, angles and what else is no division.
+    /// Square roots, sines, cosines and other functions.
     pub functions: usize,
 }
 

@@ -5,7 +5,8 @@ use std::collections::{HashMap, HashSet};
 use symbolica::evaluate::{ExportedInstructions, Instruction, Slot};
 use symbolica::prelude::{Atom, AtomCore, Symbol};
 
-use crate::algebra::{Algebra, Meaning, symbols};
+use crate::algebra::{Algebra, Meaning};
+use crate::polynomial::symbols;
 use crate::program::{Node, NodeId, Program, ProgramError};
 
 /// The shortest program found for the outputs.

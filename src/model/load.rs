@@ -101,7 +101,7 @@ fn note_mechanism(root: &mut Section, report: &mut Report) {
     let span = root.value("ground").map_or(root.span(), Spanned::span);
     report
         .mistake(&span, "this file is a mechanism, not a suspension", "a ground of its own")
-        .help("use a command for mechanisms, or name the `architecture` of the suspension");
+        .help("only a suspension will do here; one names its `architecture`, such as `architecture = \"double-wishbone\"`");
     root.skip();
 }
 

@@ -64,7 +64,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<MechanismM
     let point_names = points.iter().map(|(name, _)| name.get_ref().clone()).collect();
     let names = Names::new(ground.clone(), body_names, point_names);
     let parts = Parts { names: &names, units: &units, axes: Axes::Iso8855 };
-    let (bodies, mass) = bodies(root, &parts, report);
+    let (bodies, mass) = bodies(root, &ground, &parts, report);
     let file = PartsFile {
         bodies,
         joints: placed(parts.joints(root, report)),
@@ -126,6 +126,7 @@ fn body_names(root: &mut Section, ground: &str, report: &mut Report) -> Vec<Stri
             report
                 .mistake(&name.span(), "the ground is listed as a moving body", "the ground")
                 .help("remove this body");
+            continue;
         }
         names.push(name.into_inner());
     }
@@ -135,6 +136,7 @@ fn body_names(root: &mut Section, ground: &str, report: &mut Report) -> Vec<Stri
 /// The bodies, and where the first of them has a mass.
 fn bodies(
     root: &mut Section,
+    ground: &str,
     parts: &Parts,
     report: &mut Report,
 ) -> (Vec<BodyFile>, Option<Range<usize>>) {
@@ -144,6 +146,9 @@ fn bodies(
     };
     for (key, value) in list {
         let name = Spanned::new(key.span(), key.get_ref().to_string());
+        if name.get_ref() == ground {
+            continue;
+        }
         let mass = if value.get_ref().is_table() {
             first.get_or_insert_with(|| name.span());
             let title = format!("[bodies.{}]", name.get_ref());

@@ -44,6 +44,23 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("weld", "fixed"),
     ("rod", "link"),
     ("distance", "link"),
+    ("newton", "N"),
+    ("kilonewton", "kN"),
+    ("pound", "lb"),
+    ("poundforce", "lbf"),
+    ("kilogram", "kg"),
+    ("gram", "g"),
+    ("tonne", "t"),
+    ("shock", "damper"),
+    ("shockabsorber", "damper"),
+    ("coil", "spring"),
+    ("droopstop", "rebound-stop"),
+    ("bush", "bushing"),
+    ("torque", "moment"),
+    ("tire", "tyre"),
+    ("angle", "rotation"),
+    ("adams", "torque"),
+    ("chrono", "torque"),
 ];
 
 /// The candidate that goes by another name elsewhere, or the closest one.

@@ -2,9 +2,11 @@
 
 mod csv;
 mod json;
+mod settle;
 mod statics;
 mod table;
 
+pub use settle::{SettleReport, SettleRow};
 pub use statics::StaticsReport;
 
 use crate::factors::{FACTORS, Factor};

@@ -7,6 +7,7 @@ use serde_json::{Map, Value, json};
 use super::rounded;
 use super::table::cell;
 use crate::factors::FACTORS;
+use crate::mechanism::ForceKind;
 use crate::model::{Axes, Quantity, Units};
 use crate::rig::{Channel, Pose};
 use crate::solve::equilibrium::Equilibrium;
@@ -72,17 +73,23 @@ impl StaticsReport<'_> {
             "joints: force [{force}] and moment [{torque}] on the second body, at the joint, along the model's axes"
         );
         lines(&mut writer, &head, ["Fx", "Fy", "Fz", "Mx", "My", "Mz"], &self.joints())?;
-        if !self.elements.is_empty() {
-            writeln!(writer, "\nforce elements")?;
-            let width = self.elements.iter().map(|c| c.title.chars().count()).max().unwrap_or(0);
-            for (channel, value) in self.elements.iter().zip(self.element_values()) {
+        let head = format!(
+            "bushings: displacement [{length}] and rotation [{angle}] of the second body, in the bushing's axes"
+        );
+        lines(&mut writer, &head, ["x", "y", "z", "rx", "ry", "rz"], &self.bushings(false))?;
+        let head = format!(
+            "bushings: force [{force}] and moment [{torque}] on the second body, in the bushing's axes"
+        );
+        lines(&mut writer, &head, ["Fx", "Fy", "Fz", "Mx", "My", "Mz"], &self.bushings(true))?;
+        let others = || self.elements.iter().filter(|channel| !self.is_bushing(channel));
+        if others().next().is_some() {
+            writeln!(writer, "\nother force elements")?;
+            let width = others().map(|c| c.title.chars().count()).max().unwrap_or(0);
+            for channel in others() {
                 let unit = channel.quantity.symbol(self.units);
-                let value = cell(Some(value));
-                writeln!(
-                    writer,
-                    "  {:<width$} {value:>14} {unit:<8} {}",
-                    channel.title, channel.sign
-                )?;
+                let value = cell(Some(self.element_value(channel)));
+                let (title, sign) = (&channel.title, channel.sign);
+                writeln!(writer, "  {title:<width$} {value:>14} {unit:<8} {sign}")?;
             }
         }
         Ok(())
@@ -113,9 +120,9 @@ impl StaticsReport<'_> {
             let value = factor.show(self.units, self.pose?)?;
             Some((factor.column(self.units), json!(rounded(value))))
         });
-        let values = self.element_values();
-        let elements = self.elements.iter().zip(values).map(|(channel, value)| {
-            (format!("{}_{}", channel.name, unit(channel.quantity)), json!(rounded(value)))
+        let elements = self.elements.iter().map(|channel| {
+            let value = rounded(self.element_value(channel));
+            (format!("{}_{}", channel.name, unit(channel.quantity)), json!(value))
         });
         let stiffness = self.found.stiffness;
         json!({
@@ -199,12 +206,44 @@ impl StaticsReport<'_> {
             .collect()
     }
 
-    fn element_values(&self) -> Vec<f64> {
-        let loaded = self.equilibrium.loaded();
-        let value = |channel: &Channel| {
-            channel.quantity.show(self.units, channel.value(&loaded, &[], self.axes))
-        };
-        self.elements.iter().map(value).collect()
+    fn is_bushing(&self, channel: &Channel) -> bool {
+        let forces = self.equilibrium.mechanism().forces();
+        let force = channel.force().map(|force| &forces[force.index()].kind);
+        matches!(force, Some(ForceKind::Bushing(_)))
+    }
+
+    /// What every bushing does in each of its six directions: deflections or forces. A direction
+    /// without a law has none.
+    fn bushings(&self, forces: bool) -> Vec<Line> {
+        let mechanism = self.equilibrium.mechanism();
+        let bushings = mechanism.force_ids().filter(|force| {
+            matches!(mechanism.forces()[force.index()].kind, ForceKind::Bushing(_))
+        });
+        bushings
+            .map(|id| {
+                let force = &mechanism.forces()[id.index()];
+                let names = match forces {
+                    true => ["fx", "fy", "fz", "mx", "my", "mz"],
+                    false => ["x", "y", "z", "rx", "ry", "rz"],
+                };
+                let value = |end: &str| {
+                    let name = format!("{}_{end}", force.name);
+                    let channel = self.elements.iter().find(|channel| channel.name == name);
+                    channel.map_or(f64::NAN, |channel| self.element_value(channel))
+                };
+                let body = &mechanism.bodies()[force.j.index()].name;
+                Line {
+                    name: force.name.clone(),
+                    note: format!("on {body}"),
+                    values: names.map(value).to_vec(),
+                }
+            })
+            .collect()
+    }
+
+    fn element_value(&self, channel: &Channel) -> f64 {
+        let value = channel.value(&self.equilibrium.loaded(), &[], self.axes);
+        channel.quantity.show(self.units, value)
     }
 }
 
@@ -222,8 +261,8 @@ fn lines(
     let names: Vec<String> = names.iter().map(|name| format!("{name:>12}")).collect();
     writeln!(writer, "  {:<width$} {}", "", names.join(" "))?;
     for line in lines {
-        let values: Vec<String> =
-            line.values.iter().map(|&value| format!("{:>12}", cell(Some(value)))).collect();
+        let cell = |value: &f64| format!("{:>12}", cell(Some(*value).filter(|x| x.is_finite())));
+        let values: Vec<String> = line.values.iter().map(cell).collect();
         let note = if line.note.is_empty() { String::new() } else { format!("  {}", line.note) };
         writeln!(writer, "  {:<width$} {}{note}", line.name, values.join(" "))?;
     }

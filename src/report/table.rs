@@ -11,8 +11,12 @@ impl SweepReport<'_> {
     /// What the writer says.
     pub fn write_table(&self, mut writer: impl io::Write) -> io::Result<()> {
         let units = self.units;
-        let side = self.side.map_or_else(String::new, |side| format!("{} side, ", side.name()));
-        writeln!(writer, "{}, {side}{} axes", self.name, self.axes.name())?;
+        match self.side {
+            Some(side) => {
+                writeln!(writer, "{}, {} side, {} axes", self.name, side.name(), self.axes.name())?;
+            }
+            None => writeln!(writer, "{}", self.name)?,
+        }
         writeln!(writer)?;
         // Names in two lines keep the columns narrow: wheel_center_x becomes `wheel center_x`.
         let columns = self.columns();

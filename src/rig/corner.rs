@@ -9,6 +9,7 @@ use super::stand::Stand;
 use super::sweep::{Event, Specimen, SweepPlan};
 use crate::mechanism::{BodyId, MechanismError, PointId};
 use crate::model::{Axes, Model, Setup, Side, Suspension, SuspensionError, WheelSupport};
+use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{
     FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop, SystemError,
@@ -67,7 +68,7 @@ impl Corner {
         };
         let released = match setup.support {
             WheelSupport::Held => vec![],
-            WheelSupport::Tyre => vec![suspension.travel],
+            WheelSupport::Free => vec![suspension.travel],
         };
         let stand = Stand::new(suspension.mechanism.clone(), &released, model.axes)?;
         // What the rig puts on the wheel is an input, not a result.
@@ -162,7 +163,15 @@ impl Corner {
     /// Where wheel and steer axis are, and what the wheel carries.
     pub fn pose(&mut self) -> Pose<f64> {
         let load = self.wheel_load();
-        let state = self.stand.state();
+        Pose { load, ..self.pose_at(self.stand.state()) }
+    }
+
+    /// Where wheel and steer axis are at a state of the mechanism, with drivers that are held where
+    /// they are. What the wheel carries is not known there.
+    ///
+    /// # Panics
+    /// If the state belongs to another mechanism.
+    pub fn pose_at(&self, state: &[Coordinates<f64>]) -> Pose<f64> {
         let wheel = &self.suspension.wheel;
         let mechanism = self.stand.mechanism();
         let turned = rotation(state, wheel.body);
@@ -172,7 +181,7 @@ impl Corner {
         let driven = |driver| self.stand.driver_value(driver);
         let travel = match self.setup.support {
             WheelSupport::Held => driven(self.suspension.travel),
-            WheelSupport::Tyre => {
+            WheelSupport::Free => {
                 let design = mechanism.points()[wheel.center.index()].position;
                 let chassis = self.suspension.chassis.index();
                 let sunk = state[chassis][2] - mechanism.bodies()[chassis].origin[2];
@@ -192,7 +201,7 @@ impl Corner {
                 .suspension
                 .steer_axis
                 .map(|axis| Axle { lower: point(axis.lower), upper: point(axis.upper) }),
-            load,
+            load: None,
             side: self.side,
             axes: self.axes,
         }
@@ -209,7 +218,7 @@ impl Corner {
                 let force = -self.stand.equilibrium().driver_multiplier(travel);
                 Some(WheelLoad { force, rate: self.stand.driver_rate(travel) })
             }
-            WheelSupport::Tyre => {
+            WheelSupport::Free => {
                 let force = self.stand.equilibrium().loaded().force(self.suspension.tyre?);
                 Some(WheelLoad { force: force.force[2], rate: None })
             }

@@ -110,6 +110,11 @@ impl Stand {
         Some(-tangent.multiplier(equation))
     }
 
+    /// The channels of bodies alone: positions and rotations.
+    pub fn body_channels(&self) -> &[Channel] {
+        &self.elements[..6 * (self.mechanism().bodies().len() - 1)]
+    }
+
     /// The channels of force elements alone.
     pub fn force_channels(&self) -> &[Channel] {
         let first = self.elements.iter().position(|channel| channel.force().is_some());

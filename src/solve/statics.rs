@@ -33,11 +33,17 @@ const RELAXATION: usize = 2000;
 /// The largest change of one step of a relaxation, relative.
 const LONGEST_RELAXATION: f64 = 0.05;
 
+/// A relaxation that would have to be damped this many times as much as at its start is stuck.
+const STIFFEST: f64 = 1e9;
+
 /// Residual at which a relaxation hands over to Newton's method.
 const HAND_OVER: f64 = 1e-4;
 
 /// Largest accepted relative residual of an equation that is left out as redundant.
 const CONSISTENT: f64 = 1e-9;
+
+/// Relative residual of such an equation that a step of a relaxation may leave.
+const ASTRAY: f64 = 1e-2;
 
 /// How an equilibrium was found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -235,9 +241,10 @@ impl Equilibrium {
         self.problem.state.copy_from_slice(start);
         self.problem.lambda.fill(0.0);
         self.problem.measure();
-        let mut damping = self.problem.force_size * self.problem.scales.length;
+        let first = self.problem.force_size * self.problem.scales.length;
+        let mut damping = first;
         let mut next_attempt = HAND_OVER;
-        while report.relaxation_steps < RELAXATION {
+        while report.relaxation_steps < RELAXATION && damping < STIFFEST * first {
             self.problem.measure();
             self.problem.damping = damping;
             self.problem.linearise();
@@ -249,14 +256,17 @@ impl Equilibrium {
             let size = self.problem.step_size(&self.step);
             if solved.is_err() || size.is_nan() || size > LONGEST_RELAXATION {
                 damping *= 4.0;
-                if !damping.is_finite() {
-                    break;
-                }
                 continue;
             }
             self.problem.begin_step();
             self.problem.take_step(&self.step, 1.0);
             let residual = self.problem.residual();
+            if self.worst_left_out() > ASTRAY {
+                // The step left the positions in which redundant equations agree.
+                self.problem.take_step(&self.step, 0.0);
+                damping *= 4.0;
+                continue;
+            }
             self.elements_mut().accept();
             damping *= if size < 0.2 * LONGEST_RELAXATION { 0.25 } else { 0.7 };
             if residual > next_attempt || size > 10.0 * HAND_OVER {
@@ -277,6 +287,20 @@ impl Equilibrium {
         false
     }
 
+    /// The largest relative residual of the equations that are left out as redundant.
+    fn worst_left_out(&self) -> f64 {
+        let problem = &self.problem;
+        let equations = problem.phi.iter().zip(&problem.sizes).enumerate();
+        equations
+            .filter(|&(equation, _)| !self.is_held(equation) && !self.is_released(equation))
+            .map(|(_, (phi, size))| (phi / size).abs())
+            .fold(0.0, |worst, value| if value.is_nan() { f64::INFINITY } else { worst.max(value) })
+    }
+
+    fn is_released(&self, equation: usize) -> bool {
+        matches!(self.expansion.owner(equation), Owner::Driver(driver) if self.released.contains(&driver))
+    }
+
     /// Whether a solution is one that the mechanism stays in.
     fn judge(&mut self, report: &mut StaticReport) -> Result<(), StaticFailure> {
         let problem = &mut self.problem;
@@ -284,6 +308,7 @@ impl Equilibrium {
         problem.damping = 0.0;
         problem.kkt.fill(&problem.state, &problem.h, &problem.lambda, &mut problem.phi);
         problem.kkt.elements_mut().accept();
+        let problem = &self.problem;
         for (equation, (phi, size)) in problem.phi.iter().zip(&problem.sizes).enumerate() {
             let owner = self.expansion.owner(equation);
             let released =

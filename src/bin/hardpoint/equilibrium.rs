@@ -16,8 +16,8 @@ use crate::output::{Format, Output, SideName};
 
 /// Find the static equilibrium: pose, reactions of all joints, state of all springs and bushings.
 ///
-/// A wheel with a tyre stands on the ground; with --travel, or without a tyre, the rig holds it at a
-/// height. A quarter car sinks on its slide unless --fixed-chassis holds it.
+/// A wheel with a tyre stands on the ground, one without hangs free; with --travel the rig holds it at
+/// a height. A quarter car sinks on its slide unless --fixed-chassis holds it.
 #[derive(Args)]
 #[command(after_help = "\
 Signs: forces of joints act on the second body, along the model's axes; springs + in tension;
@@ -77,9 +77,9 @@ impl Equilibrium {
         if !self.release.is_empty() {
             return usage("--release names drivers of a mechanism file; a suspension has none");
         }
-        let on_tyre = model.has_tyre() && self.travel.is_none();
-        let slides = on_tyre && model.is_quarter_car() && !self.fixed_chassis;
-        let support = if on_tyre { WheelSupport::Tyre } else { WheelSupport::Held };
+        let free = self.travel.is_none();
+        let slides = free && model.is_quarter_car() && !self.fixed_chassis;
+        let support = if free { WheelSupport::Free } else { WheelSupport::Held };
         let chassis = if slides { Chassis::Slide } else { Chassis::Fixed };
         let metres = |value: Option<f64>, name: &str| match value {
             Some(value) if !value.is_finite() => {
@@ -97,14 +97,16 @@ impl Equilibrium {
             return usage("this suspension has no rack; leave out --rack");
         }
         corner.set_load(&load);
-        // First the kinematic way to travel and rack, then the equilibrium there.
-        corner.move_to(travel, rack).map_err(|stop| self.stopped(stop))?;
+        if travel != 0.0 || rack != 0.0 {
+            corner.move_to(travel, rack).map_err(|stop| self.stopped(stop))?;
+        }
         let found = corner.rest().map_err(|failure| self.fails(failure))?;
         let pose = corner.pose();
-        let how = match (on_tyre, slides) {
-            (true, true) => "quarter car on its tyre".to_owned(),
-            (true, false) => "chassis fixed, wheel on its tyre".to_owned(),
-            (false, _) => {
+        let how = match (free, slides, model.has_tyre()) {
+            (true, true, _) => "quarter car on its tyre".to_owned(),
+            (true, false, true) => "chassis fixed, wheel on its tyre".to_owned(),
+            (true, false, false) => "chassis fixed, wheel free".to_owned(),
+            (false, ..) => {
                 let length = model.units.length;
                 let travel = length.from_metres(travel);
                 format!("wheel held at a travel of {travel} {}", length.symbol())

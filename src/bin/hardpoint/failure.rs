@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use hardpoint::model::ModelDiagnostics;
 use hardpoint::rig::RigError;
+use hardpoint::solve::dynamics::DynamicsFailure;
 use hardpoint::solve::{StaticFailure, Stop};
 use miette::GraphicalReportHandler;
 
@@ -16,6 +17,8 @@ pub enum Failure {
     Rig(String, RigError),
     /// There is no static equilibrium.
     Static(String, StaticFailure),
+    /// The motion cannot go on.
+    Motion(String, DynamicsFailure),
     /// The mechanism stopped during an event.
     Stopped(Vec<Stop>, String),
     /// A file or pipe that cannot be written; says which.
@@ -47,6 +50,10 @@ impl Failure {
                 ExitCode::from(1)
             }
             Self::Static(model, failure) => {
+                eprintln!("error: {model}: {failure}");
+                ExitCode::from(3)
+            }
+            Self::Motion(model, failure) => {
                 eprintln!("error: {model}: {failure}");
                 ExitCode::from(3)
             }

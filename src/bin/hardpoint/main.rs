@@ -6,6 +6,7 @@ mod failure;
 mod loads;
 mod output;
 mod progress;
+mod settle;
 mod sweep;
 
 use std::path::Path;
@@ -39,6 +40,7 @@ Exit codes:
 enum Command {
     Check(check::Check),
     Equilibrium(equilibrium::Equilibrium),
+    Settle(settle::Settle),
     Sweep(sweep::Sweep),
 }
 
@@ -46,6 +48,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Check(command) => command.run(),
         Command::Equilibrium(command) => command.run(),
+        Command::Settle(command) => command.run(),
         Command::Sweep(command) => command.run(),
     };
     done.map_or_else(Failure::report, |()| ExitCode::SUCCESS)

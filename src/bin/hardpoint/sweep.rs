@@ -66,7 +66,7 @@ pub struct Sweep {
     /// Rack displacement that is held [default: 0].
     #[arg(long, allow_negative_numbers = true, value_name = "R")]
     rack: Option<f64>,
-    /// Wheel travel that is held [default: 0; a load event stands the wheel on its tyre].
+    /// Wheel travel that is held [default: 0; a load event leaves the wheel free, on its tyre].
     #[arg(long, allow_negative_numbers = true, value_name = "T")]
     travel: Option<f64>,
     #[command(flatten)]
@@ -126,8 +126,8 @@ impl Sweep {
                 "a load moves nothing in a model without forces; add [[forces]] to the model",
             );
         }
-        let on_tyre = event == EventName::Load && self.travel.is_none() && model.has_tyre();
-        let support = if on_tyre { WheelSupport::Tyre } else { WheelSupport::Held };
+        let free = event == EventName::Load && self.travel.is_none();
+        let support = if free { WheelSupport::Free } else { WheelSupport::Held };
         let setup = self.rig.setup(support, Chassis::Fixed);
         let load = self.rig.load(model)?;
         let mut corner = Corner::with_loads(model, &setup, self.rig.point())

@@ -43,6 +43,13 @@ impl Geometry<'_> {
 
 /// Notes what the mechanism says of a part of a file. Its messages end in what to do.
 pub(crate) fn note(span: &Range<usize>, error: &MechanismError, report: &mut Report) {
+    if let MechanismError::CoincidentPoints { what, name, part, from, to, .. } = error {
+        let (from, to) = (&from.name, &to.name);
+        let message =
+            format!("`{from}` and `{to}` are the same point, so the {what} `{name}` has no {part}");
+        report.mistake(span, message, "here").help("correct one of the two points");
+        return;
+    }
     let text = error.to_string();
     let end = text.rfind("; ").or_else(|| text.rfind(": "));
     let (message, help) = match end {

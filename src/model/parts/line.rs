@@ -9,6 +9,9 @@ use crate::model::diagnostics::Report;
 use crate::model::quantity::Quantity;
 use crate::model::read::Section;
 
+const POSITIVE: &str =
+    "a length is not negative; a spring that pushes has a smaller length than its free length";
+
 /// A force element and the bodies it acts on.
 pub(super) type Element = (BodyId, BodyId, ForceKind);
 
@@ -135,11 +138,12 @@ impl Parts<'_> {
         let installed = self.optional_number(section, "installed_length", Quantity::Length, report);
         if key? == "free_length" {
             let free = self.number(section, "free_length", Quantity::Length, help, report)?;
-            let free = not_negative(&free, "the free length", report)?;
+            let free = not_negative(&free, "the free length", POSITIVE, report)?;
             let reference = match installed {
                 None => Reference::Length(free),
                 Some(installed) => {
-                    let installed = not_negative(&installed, "the installed length", report)?;
+                    let installed =
+                        not_negative(&installed, "the installed length", POSITIVE, report)?;
                     Reference::Design(free - installed)
                 }
             };

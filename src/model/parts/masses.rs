@@ -69,6 +69,8 @@ impl Parts<'_> {
 /// What to write for gravity.
 const GRAVITY: &str = "masses need it: write `gravity = 9.81`, in m/s² and downward, or 0 for none";
 
+const DOWNWARD: &str = "a positive number is downward: write `gravity = 9.81`";
+
 /// Gravity (m/s², positive downward); it must be there where something has a mass.
 pub(crate) fn gravity(
     root: &mut Section,
@@ -79,7 +81,7 @@ pub(crate) fn gravity(
         return None;
     }
     match root.optional::<f64>("gravity", report) {
-        Some(gravity) => super::not_negative(&gravity, "gravity", report),
+        Some(gravity) => super::not_negative(&gravity, "gravity", DOWNWARD, report),
         None => (!root.has("gravity")).then_some(0.0),
     }
 }

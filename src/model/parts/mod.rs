@@ -93,13 +93,11 @@ impl Parts<'_> {
 }
 
 /// Notes a number below zero and returns it otherwise.
-fn not_negative(number: &Spanned<f64>, what: &str, report: &mut Report) -> Option<f64> {
+fn not_negative(number: &Spanned<f64>, what: &str, help: &str, report: &mut Report) -> Option<f64> {
     if *number.get_ref() >= 0.0 {
         return Some(*number.get_ref());
     }
-    report
-        .mistake(&number.span(), format!("{what} is below zero"), "negative")
-        .help("write a number that is not negative");
+    report.mistake(&number.span(), format!("{what} is below zero"), "negative").help(help);
     None
 }
 

@@ -231,12 +231,23 @@ impl<'t> Section<'t> {
             let place = self.name.as_deref().unwrap_or("the file");
             let help = match meant {
                 Some(known) => format!("did you mean `{known}`?"),
-                None => format!("{place} may hold {}", suggest::listed(&self.known)),
+                None => format!("{place} may hold {}", suggest::listed(&self.known())),
             };
             let message = format!("{place} has no key `{word}`");
             report.mistake(&key.span(), message, "unknown key").help(help);
         }
         self.finish_open(report);
+    }
+
+    /// The keys that were asked for, each once.
+    fn known(&self) -> Vec<&'static str> {
+        let mut known: Vec<&'static str> = vec![];
+        for key in &self.known {
+            if !known.contains(key) {
+                known.push(key);
+            }
+        }
+        known
     }
 
     /// Notes the keys that are missing only, where the others are not known.

@@ -102,7 +102,7 @@ impl<T: FromToml, const N: usize> FromToml for [T; N] {
             wrong_type::<Self>(value, what, report);
             return None;
         };
-        let entry = format!("an entry of {what}");
+        let entry = entry(what);
         let items: Vec<T> = list.iter().filter_map(|item| T::read(item, &entry, report)).collect();
         if list.len() != N {
             let message = format!("{what} must be {}, not {}", Self::EXPECTED, list.len());
@@ -119,6 +119,11 @@ impl<T: FromToml, const N: usize> FromToml for [T; N] {
     }
 }
 
+/// What messages call the values of a list, and those of a row of a table.
+fn entry(what: &str) -> String {
+    if what.starts_with("an entry of") { what.to_owned() } else { format!("an entry of {what}") }
+}
+
 /// A list of any length; `None` where one of its values is wrong.
 impl<T: FromToml> FromToml for Vec<T> {
     const EXPECTED: &'static str = "a list";
@@ -128,9 +133,13 @@ impl<T: FromToml> FromToml for Vec<T> {
             wrong_type::<Self>(value, what, report);
             return None;
         };
-        let entry = format!("an entry of {what}");
-        // All entries are read before one of them can end the list: every mistake is noted.
+        let (entry, before) = (entry(what), report.mistakes.len());
+        // All entries are read before one of them can end the list.
         let items: Vec<Option<T>> = list.iter().map(|item| T::read(item, &entry, report)).collect();
+        // The same mistake in every row, such as a missing bracket, is one mistake.
+        let mut new = report.mistakes.split_off(before);
+        new.dedup_by(|next, first| next.message() == first.message());
+        report.mistakes.extend(new);
         items.into_iter().collect()
     }
 }

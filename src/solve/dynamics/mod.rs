@@ -166,9 +166,13 @@ impl Dynamics {
         let position = system.position();
         let expansion = system.expansion();
         let numbering = system.numbering_without(start.released);
+        let mut elements = Elements::new(expansion);
+        if let Some(laws) = start.laws {
+            elements.laws_mut().clone_from_slice(laws);
+        }
         let kkt = Kkt::with_forces(
             system.terms().clone(),
-            Elements::new(expansion),
+            elements,
             Inertias::new(expansion),
             &numbering,
         );

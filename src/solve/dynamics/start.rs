@@ -3,7 +3,7 @@
 use super::Dynamics;
 use super::failure::DynamicsFailure;
 use super::inertia::MASS;
-use crate::mechanism::{Body, DriverId, InitialVelocity, Owner};
+use crate::mechanism::{Body, DriverId, InitialVelocity, Law, Owner};
 use crate::relation::{BODY_COORDINATES, Coordinates};
 use crate::solve::motion::Twist;
 use crate::vector::{add, cross, dot, norm, rotate, scale, sub};
@@ -26,6 +26,8 @@ pub struct Start<'a> {
     pub velocity: Option<&'a [InitialVelocity]>,
     /// A constant generalised load: seven entries for each moving body.
     pub load: Option<&'a [f64]>,
+    /// Laws of the force elements, one for each of their values, instead of those of the mechanism.
+    pub laws: Option<&'a [Law]>,
 }
 
 /// How the velocities that were asked for were changed to fit the joints: as little as possible,
