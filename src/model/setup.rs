@@ -70,7 +70,7 @@ impl From<Drive> for Setup {
 pub enum SuspensionError {
     /// The points make no mechanism.
     #[error(transparent)]
-    Mechanism(#[from] MechanismError),
+    Mechanism(Box<MechanismError>),
     /// [`WheelSupport::Tyre`] without a tyre.
     #[error(
         "the model `{0}` has no tyre to stand on; add a section `[tyre]` with `contact`, \
@@ -83,4 +83,10 @@ pub enum SuspensionError {
          `[quarter_car]` with `sprung_mass`, or fix the chassis"
     )]
     NoQuarterCar(String),
+}
+
+impl From<MechanismError> for SuspensionError {
+    fn from(error: MechanismError) -> Self {
+        Self::Mechanism(Box::new(error))
+    }
 }
