@@ -14,22 +14,24 @@
 //! ```
 //! use hardpoint::factors::wheel;
 //! use hardpoint::model::{Model, Setup};
-//! use hardpoint::rig::{Corner, Event, Sweep, SweepPlan};
+//! use hardpoint::rig::{Corner, Event, Held, Sweep, SweepPlan};
 //!
 //! let model = Model::load("models/double-wishbone.toml")?;
 //! let mut corner = Corner::new(&model, &Setup::default())?;
 //! assert!(corner.freedom().is_exact(), "{}", corner.freedom());
 //!
 //! // 30 mm of rebound to 30 mm of jounce, the rack held in the middle.
-//! let plan = SweepPlan { event: Event::Travel, from: -0.03, to: 0.03, step: 0.01, held: 0.0 };
+//! let plan = SweepPlan { event: Event::Travel, from: -0.03, to: 0.03, step: 0.01, held: Held::default() };
 //! let sweep = Sweep::run(&mut corner, &plan, |_| {});
 //! assert!(sweep.stops.is_empty());
 //! for row in &sweep.rows {
-//!     let toe = wheel::toe(row.pose.wheel.spin, row.pose.side).to_degrees();
-//!     println!("{:6.1} mm  toe {toe:7.4}° (+ toe-in)", row.pose.travel * 1000.0);
+//!     let Some(pose) = row.pose else { continue };
+//!     let toe = wheel::toe(pose.wheel.spin, pose.side).to_degrees();
+//!     println!("{:6.1} mm  toe {toe:7.4}° (+ toe-in)", pose.travel * 1000.0);
 //! }
 //! # let toe = |k: usize| {
-//! #     wheel::toe(sweep.rows[k].pose.wheel.spin, sweep.rows[k].pose.side).to_degrees()
+//! #     let pose = sweep.rows[k].pose.unwrap();
+//! #     wheel::toe(pose.wheel.spin, pose.side).to_degrees()
 //! # };
 //! # assert!((toe(3) - 0.1).abs() < 1e-12 && toe(6) < toe(0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -76,7 +76,7 @@ fn random_motion(mechanism: &Mechanism) -> [Vec<Coordinates<f64>>; 2] {
 }
 
 fn full(drive: Drive) -> Setup {
-    Setup { drive, support: WheelSupport::Tyre, ..Setup::default() }
+    Setup { drive, support: WheelSupport::Free, ..Setup::default() }
 }
 
 fn close(a: &Answer, b: &Answer, what: &str) {

@@ -6,7 +6,7 @@ mod elements;
 
 use elements::answer;
 use hardpoint::mechanism::{Acts, Contact, Curve, ForceKind, Law, Mechanism};
-use hardpoint::model::{Chassis, Model, Setup, SuspensionError, WheelSupport};
+use hardpoint::model::{Chassis, Model, Setup, WheelSupport};
 use hardpoint::relation::Coordinates;
 use hardpoint::solve::System;
 
@@ -48,7 +48,7 @@ fn setups_choose_what_stands_where() {
     assert_eq!(held.mechanism.bodies()[held.chassis.index()].name, "chassis");
     assert_eq!(held.chassis.index(), 0);
 
-    let setup = Setup { support: WheelSupport::Tyre, chassis: Chassis::Slide, ..Setup::default() };
+    let setup = Setup { support: WheelSupport::Free, chassis: Chassis::Slide, ..Setup::default() };
     let standing = model.suspension(&setup).unwrap();
     let m = &standing.mechanism;
     let names: Vec<&str> = m.bodies().iter().map(|body| body.name.as_str()).collect();
@@ -71,8 +71,8 @@ fn setups_choose_what_stands_where() {
 
     let plain = load("double-wishbone");
     assert!(!plain.has_forces() && !plain.has_tyre() && !plain.is_quarter_car());
-    let tyre = Setup { support: WheelSupport::Tyre, ..Setup::default() };
-    assert!(matches!(plain.suspension(&tyre), Err(SuspensionError::NoTyre(_))));
+    let free = Setup { support: WheelSupport::Free, ..Setup::default() };
+    assert_eq!(plain.suspension(&free).unwrap().tyre, None);
     let slide = Setup { chassis: Chassis::Slide, ..Setup::default() };
     let error = plain.suspension(&slide).unwrap_err();
     assert!(error.to_string().contains("quarter_car"), "{error}");

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use hardpoint::factors::FACTORS;
 use hardpoint::model::{Drive, Model, Setup};
-use hardpoint::rig::{Corner, Event, Pose, Sweep, SweepPlan};
+use hardpoint::rig::{Corner, Event, Held, Pose, Row, Sweep, SweepPlan};
 
 /// The rows of a reference table by the names of its columns.
 fn table(text: &str) -> Vec<HashMap<String, f64>> {
@@ -23,6 +23,10 @@ fn factor(model: &Model, pose: &Pose<f64>, name: &str) -> f64 {
     factor.show(model.units, pose).expect("the suspension has the factor")
 }
 
+fn pose(row: &Row) -> Pose<f64> {
+    row.pose.expect("a corner has a wheel")
+}
+
 #[track_caller]
 fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
     let difference = (found - expected).abs();
@@ -33,7 +37,8 @@ fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
 }
 
 fn sweep(model: &Model, drive: Drive, plan: &SweepPlan) -> Sweep {
-    let mut corner = Corner::new(model, &drive.into()).expect("the model moves");
+    let mut corner =
+        Corner::new(model, &Setup { drive, ..Setup::default() }).expect("the model moves");
     let sweep = Sweep::run(&mut corner, plan, |_| {});
     assert!(sweep.stops.is_empty(), "{:?}", sweep.stops);
     sweep
@@ -48,7 +53,7 @@ fn compare_with_sedan(text: &str, plan: &SweepPlan) -> Sweep {
     assert_eq!(sweep.rows.len(), reference.len());
     for (row, expected) in sweep.rows.iter().zip(&reference) {
         let at = format!("travel {} rack {}", expected["travel_mm"], expected["rack_mm"]);
-        let (pose, tolerance) = (&row.pose, 1e-12);
+        let (pose, tolerance) = (&pose(row), 1e-12);
         let factor = |name: &str| factor(&model, pose, name);
         let patch = pose.wheel.contact_patch();
         for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
@@ -86,17 +91,24 @@ fn compare_with_sedan(text: &str, plan: &SweepPlan) -> Sweep {
 /// The paper's sweep: −130 … 130 mm in 10 mm steps.
 #[test]
 fn sedan_travel() {
-    let plan = SweepPlan { event: Event::Travel, from: -0.13, to: 0.13, step: 0.01, held: 0.0 };
+    let plan = SweepPlan {
+        event: Event::Travel,
+        from: -0.13,
+        to: 0.13,
+        step: 0.01,
+        held: Held::default(),
+    };
     let sweep = compare_with_sedan(include_str!("reference/sedan-travel.csv"), &plan);
     for row in &sweep.rows {
-        assert!(row.iterations <= 3, "{} iterations at {}", row.iterations, row.pose.travel);
+        assert!(row.iterations <= 3, "{} iterations at {}", row.iterations, row.value);
         assert!(row.relative_residual <= 1e-12, "{:e}", row.relative_residual);
     }
 }
 
 #[test]
 fn sedan_steering() {
-    let plan = SweepPlan { event: Event::Steer, from: -0.06, to: 0.06, step: 0.01, held: 0.0 };
+    let plan =
+        SweepPlan { event: Event::Steer, from: -0.06, to: 0.06, step: 0.01, held: Held::default() };
     compare_with_sedan(include_str!("reference/sedan-steer.csv"), &plan);
 }
 
@@ -134,13 +146,18 @@ fn adams_both_sides() {
 #[test]
 fn lotus_bump() {
     let model = model("lotus-front");
-    let plan =
-        SweepPlan { event: Event::Travel, from: -0.0375, to: 0.0375, step: 0.0075, held: 0.0 };
+    let plan = SweepPlan {
+        event: Event::Travel,
+        from: -0.0375,
+        to: 0.0375,
+        step: 0.0075,
+        held: Held::default(),
+    };
     let sweep = sweep(&model, Drive::ContactPatch, &plan);
     let reference = table(include_str!("reference/lotus-bump.csv"));
     assert_eq!(sweep.rows.len(), 11);
     assert_eq!(reference.len(), 11);
-    let static_patch = sweep.rows[5].pose.wheel.contact_patch();
+    let static_patch = pose(&sweep.rows[5]).wheel.contact_patch();
     for (row, expected) in sweep.rows.iter().zip(&reference) {
         let at = format!("bump {}", expected["bump_mm"]);
         let pairs = [
@@ -150,10 +167,10 @@ fn lotus_bump() {
             ("kpi", "kingpin_deg"),
         ];
         for (name, column) in pairs {
-            let found = factor(&model, &row.pose, name);
+            let found = factor(&model, &pose(row), name);
             close(&format!("{at} {name}"), found, expected[column], 6e-5);
         }
-        let patch = row.pose.wheel.contact_patch();
+        let patch = pose(row).wheel.contact_patch();
         let outboard = model.side.sign() * (patch[1] - static_patch[1]) * 1000.0;
         close(&format!("{at} half track"), outboard, expected["half_track_change_mm"], 0.006);
         let forward = (patch[0] - static_patch[0]) * 1000.0;

@@ -19,7 +19,7 @@ use crate::polynomial::{
 /// A polynomial of so many terms is still compared in its expanded form.
 const SMALL: usize = 32;
 /// Products that may give more terms than this are not expanded for comparison.
-const LARGE: usize = 20_000;
+const LARGE: usize = 2_000;
 
 /// Smooth functions that an intermediate may stand for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -9,11 +9,16 @@
 //! [`GROUND`]; its columns are dropped. Equations that are left out as redundant
 //! have no row.
 
+mod block;
+mod elements;
+mod inertias;
 mod jacobian;
 mod kkt;
 mod pattern;
 mod terms;
 
+pub use elements::{Blend, Elements, Motion};
+pub use inertias::Inertias;
 pub use jacobian::Jacobian;
 pub use kkt::Kkt;
 pub use pattern::Pattern;

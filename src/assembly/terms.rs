@@ -18,7 +18,7 @@ pub(super) struct Term {
 }
 
 impl Term {
-    fn new(instance: &Instance) -> Self {
+    pub(super) fn new(instance: &Instance) -> Self {
         Self {
             kernels: instance.kind.kernels::<f64>(),
             shape: instance.kind.shape(),
@@ -86,6 +86,9 @@ pub struct Terms {
     pub(super) phi_q: Vec<f64>,
     pub(super) work: Vec<f64>,
     pub(super) curvature: Vec<f64>,
+    phi: Vec<f64>,
+    rate: Vec<f64>,
+    rate_h: Vec<f64>,
     phi_h: Vec<f64>,
     force_h: Vec<f64>,
     zero: Vec<f64>,
@@ -102,6 +105,9 @@ impl Terms {
             phi_q: scratch(|shape| shape.jacobian.len()),
             work: scratch(|shape| shape.work.len()),
             curvature: scratch(|shape| shape.curvature.len()),
+            phi: scratch(|shape| shape.equations),
+            rate: scratch(|shape| shape.rate.len()),
+            rate_h: scratch(|shape| shape.rate_design.len()),
             phi_h: scratch(|shape| shape.design.len()),
             force_h: scratch(|shape| shape.force_design.len()),
             zero: scratch(|shape| shape.equations),
@@ -117,6 +123,42 @@ impl Terms {
         }
     }
 
+    /// Φ_q v, all equations: how fast Φ changes with the velocities v.
+    pub fn velocity_product(
+        &mut self,
+        state: &[Coordinates<f64>],
+        velocity: &[Coordinates<f64>],
+        h: &[f64],
+        product: &mut [f64],
+    ) {
+        for term in &self.list {
+            let shape = term.shape;
+            let phi_q = &mut self.phi_q[..shape.jacobian.len()];
+            let work = &mut self.work[..shape.work.len()];
+            let phi = &mut self.phi[..shape.equations];
+            term.kernels.jacobian(term.place(state, h), phi, phi_q, work);
+            multiply(term, shape.jacobian, phi_q, velocity, &mut product[term.equations.clone()]);
+        }
+    }
+
+    /// (Φ_q v)_q v, all equations: the part of Φ̈ = Φ_q v̇ + (Φ_q v)_q v that does not depend on v̇.
+    pub fn convective_acceleration(
+        &mut self,
+        state: &[Coordinates<f64>],
+        velocity: &[Coordinates<f64>],
+        h: &[f64],
+        product: &mut [f64],
+    ) {
+        for term in &self.list {
+            let shape = term.shape;
+            let rate = &mut self.rate[..shape.rate.len()];
+            let rate_h = &mut self.rate_h[..shape.rate_design.len()];
+            let (v_i, v_j) = (&velocity[term.i], &velocity[term.j]);
+            term.kernels.rate(term.place(state, h), v_i, v_j, rate, rate_h);
+            multiply(term, shape.rate, rate, velocity, &mut product[term.equations.clone()]);
+        }
+    }
+
     /// Φ_h·dh, all equations: how Φ changes when the parameters change by dh.
     pub fn design_product(
         &mut self,
@@ -125,7 +167,23 @@ impl Terms {
         dh: &[f64],
         product: &mut [f64],
     ) {
+        self.design_products(state, h, dh, None, product, &mut []);
+    }
+
+    /// Φ_h·dh, all equations, and (Wᵀλ)_h·dh, all unknowns: how Φ and the forces of the
+    /// constraints change when the parameters change by dh. Without multipliers the
+    /// forces are not computed.
+    pub fn design_products(
+        &mut self,
+        state: &[Coordinates<f64>],
+        h: &[f64],
+        dh: &[f64],
+        lambda: Option<&[f64]>,
+        product: &mut [f64],
+        force: &mut [f64],
+    ) {
         product.fill(0.0);
+        force.fill(0.0);
         for term in &self.list {
             let dh = &dh[term.parameters.clone()];
             if dh.iter().all(|&change| change == 0.0) {
@@ -133,16 +191,38 @@ impl Terms {
             }
             let shape = term.shape;
             let phi_h = &mut self.phi_h[..shape.design.len()];
-            term.kernels.design(
-                term.place(state, h),
-                &self.zero[..shape.equations],
-                phi_h,
-                &mut self.force_h[..shape.force_design.len()],
-            );
+            let force_h = &mut self.force_h[..shape.force_design.len()];
+            let zero = &self.zero[..shape.equations];
+            let multipliers = lambda.map_or(zero, |lambda| &lambda[term.equations.clone()]);
+            term.kernels.design(term.place(state, h), multipliers, phi_h, force_h);
             let product = &mut product[term.equations.clone()];
             for (&(equation, parameter), value) in shape.design.iter().zip(phi_h) {
                 product[usize::from(equation)] += *value * dh[usize::from(parameter)];
             }
+            if lambda.is_none() {
+                continue;
+            }
+            for (&(local, parameter), value) in shape.force_design.iter().zip(force_h) {
+                if let Some(unknown) = term.unknown(local) {
+                    force[unknown] += *value * dh[usize::from(parameter)];
+                }
+            }
         }
+    }
+}
+
+/// The product of a matrix of (equation, coordinate) entries with the velocities of two bodies.
+pub(super) fn multiply(
+    term: &Term,
+    pattern: &[(u8, u8)],
+    matrix: &[f64],
+    velocity: &[Coordinates<f64>],
+    product: &mut [f64],
+) {
+    product.fill(0.0);
+    for (&(equation, local), value) in pattern.iter().zip(matrix) {
+        let local = usize::from(local);
+        let body = if local < BODY_COORDINATES { term.i } else { term.j };
+        product[usize::from(equation)] += value * velocity[body][local % BODY_COORDINATES];
     }
 }

@@ -45,7 +45,7 @@ fn center(pose: &Pose<f64>) -> [f64; 3] {
 
 /// Angles of the wheel's rotation in the axes of the model.
 fn angles(pose: &Pose<f64>) -> [f64; 3] {
-    wheel::rotation_angles(pose.axes.rotation_from_iso(pose.rotation))
+    crate::vector::rotation_angles(pose.axes.rotation_from_iso(pose.rotation))
 }
 
 const ROTATION: &str = "R = Rx(a) Ry(b) Rz(c), from design, in the model's axes";
@@ -159,5 +159,23 @@ pub const FACTORS: &[Factor] = &[
         formula: "atan2(−σ k_y, k_z)",
         source: "Altair, Lotus",
         value: |pose| pose.steer_axis.map(|axis| wheel::kingpin(axis.direction(), pose.side)),
+    },
+    Factor {
+        name: "wheel_load",
+        title: "vertical wheel load",
+        quantity: Quantity::Force,
+        sign: "+ up on the wheel",
+        formula: "vertical force of the rig or the ground in static equilibrium",
+        source: "Adams/Car",
+        value: |pose| pose.load.map(|load| load.force),
+    },
+    Factor {
+        name: "wheel_rate",
+        title: "wheel rate",
+        quantity: Quantity::Stiffness,
+        sign: "+ stiffer in jounce",
+        formula: "dF/dz of the vertical force that holds the wheel, by its travel",
+        source: "Adams/Car, Lotus",
+        value: |pose| pose.load.and_then(|load| load.rate),
     },
 ];

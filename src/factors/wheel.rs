@@ -30,14 +30,6 @@ pub fn kingpin<S: Scalar>(steer_axis: Vector<S>, side: Side) -> S {
     (S::from_f64(-side.sign()) * steer_axis[1]).atan2(steer_axis[2])
 }
 
-/// Tait–Bryan angles (a, b, c) (rad) of a rotation matrix R = Rx(a) Ry(b) Rz(c).
-///
-/// At b = ±90° only a ± c is determined and the angles have no derivative.
-pub fn rotation_angles<S: Scalar>(r: [[S; 3]; 3]) -> [S; 3] {
-    let across = (r[0][0] * r[0][0] + r[0][1] * r[0][1]).sqrt();
-    [(-r[1][2]).atan2(r[2][2]), r[0][2].atan2(across), (-r[0][1]).atan2(r[0][0])]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -61,22 +53,6 @@ mod tests {
         assert!((caster(axis) - 0.1_f64.atan()).abs() < 1e-15);
         assert!((kingpin(axis, Side::Left) - 0.2_f64.atan()).abs() < 1e-15);
         assert!((kingpin([-0.1, 0.2, 1.0], Side::Right) - 0.2_f64.atan()).abs() < 1e-15);
-    }
-
-    #[test]
-    fn rotation_angles_are_those_that_made_the_matrix() {
-        let (a, b, c) = (0.3_f64, -0.4_f64, 2.5_f64);
-        let (sa, ca) = a.sin_cos();
-        let (sb, cb) = b.sin_cos();
-        let (sc, cc) = c.sin_cos();
-        let r = [
-            [cb * cc, -cb * sc, sb],
-            [ca * sc + sa * sb * cc, ca * cc - sa * sb * sc, -sa * cb],
-            [sa * sc - ca * sb * cc, sa * cc + ca * sb * sc, ca * cb],
-        ];
-        for (found, expected) in rotation_angles(r).iter().zip([a, b, c]) {
-            assert!((found - expected).abs() < 1e-15);
-        }
     }
 
     #[test]

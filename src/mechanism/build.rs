@@ -135,6 +135,16 @@ impl Mechanism {
         &self.drivers
     }
 
+    /// The numbers of all bodies, the ground first.
+    pub fn body_ids(&self) -> impl Iterator<Item = BodyId> + use<> {
+        (0..self.bodies.len()).map(BodyId)
+    }
+
+    /// The numbers of all drivers.
+    pub fn driver_ids(&self) -> impl Iterator<Item = DriverId> + use<> {
+        (0..self.drivers.len()).map(DriverId)
+    }
+
     /// The body of a name.
     pub fn body_named(&self, name: &str) -> Option<BodyId> {
         self.bodies.iter().position(|body| body.name == name).map(BodyId)

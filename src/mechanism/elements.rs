@@ -40,6 +40,11 @@ impl Mechanism {
         &self.forces
     }
 
+    /// The numbers of all force elements.
+    pub fn force_ids(&self) -> impl Iterator<Item = ForceId> + use<> {
+        (0..self.forces.len()).map(ForceId)
+    }
+
     /// The force element of a name.
     pub fn force_named(&self, name: &str) -> Option<ForceId> {
         self.forces.iter().position(|force| force.name == name).map(ForceId)

@@ -118,7 +118,7 @@ pub enum MechanismError {
     },
     /// Heights are measured from the ground, on a moving body.
     #[error(
-        "{what} `{name}` needs a height between `{i}` and `{j}`; a height is measured from the ground \
+        "{what} `{name}` measures a height between `{i}` and `{j}`; a height is measured from the ground \
          (`{ground}`) as first body to a moving second body"
     )]
     HeightBodies {

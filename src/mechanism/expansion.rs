@@ -190,6 +190,11 @@ impl Expansion {
         self.owners[equation]
     }
 
+    /// The equations of a joint, driver or body.
+    pub fn equations_of(&self, owner: Owner) -> impl Iterator<Item = usize> + '_ {
+        (0..self.owners.len()).filter(move |&equation| self.owners[equation] == owner)
+    }
+
     /// The parameter that a driver's value is added to.
     pub fn driver_slot(&self, driver: DriverId) -> usize {
         self.driver_slots[driver.0]

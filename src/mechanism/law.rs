@@ -29,6 +29,15 @@ impl Curve {
         }
     }
 
+    /// The integral from zero to x.
+    pub fn integral(&self, x: f64) -> f64 {
+        match self {
+            Self::Zero => 0.0,
+            Self::Linear(factor) => 0.5 * factor * x * x,
+            Self::Table(spline) => spline.integral(x),
+        }
+    }
+
     /// The curve −f(−x).
     #[must_use]
     pub fn reversed(&self) -> Self {
@@ -115,14 +124,30 @@ impl Law {
         self.elastic.is_zero() && self.viscous.is_zero() && self.preload == 0.0
     }
 
-    /// The force for a value Φ and its rate Φ̇.
-    pub fn at(&self, value: f64, rate: f64) -> Response {
-        let idle = match self.acts {
+    /// The part of the force that has a potential: preload and elastic force where the element acts.
+    pub fn conservative(&self, value: f64) -> f64 {
+        if self.is_idle(value) { 0.0 } else { self.preload + self.elastic.at(value).value }
+    }
+
+    /// The potential energy (J) of [`Self::conservative`], zero at Φ = 0.
+    pub fn potential(&self, value: f64) -> f64 {
+        if self.is_idle(value) {
+            return 0.0;
+        }
+        self.preload * value + self.elastic.integral(value)
+    }
+
+    fn is_idle(&self, value: f64) -> bool {
+        match self.acts {
             Acts::Always => false,
             Acts::Below => value >= 0.0,
             Acts::Above => value <= 0.0,
-        };
-        if idle {
+        }
+    }
+
+    /// The force for a value Φ and its rate Φ̇.
+    pub fn at(&self, value: f64, rate: f64) -> Response {
+        if self.is_idle(value) {
             return Response::default();
         }
         let (elastic, viscous) = (self.elastic.at(value), self.viscous.at(rate));
@@ -164,6 +189,24 @@ mod tests {
         let rebound = Law { acts: Acts::Above, ..Law::spring(1000.0) };
         assert_eq!(rebound.at(0.01, 0.0).force, 10.0);
         assert_eq!(rebound.at(-0.01, 0.0), Response::default());
+    }
+
+    #[test]
+    fn the_potential_has_the_conservative_force_as_its_derivative() {
+        let table = vec![[-0.02, -300.0], [0.01, 40.0], [0.03, 500.0], [0.05, 600.0]];
+        let table = Curve::Table(Spline::new("spring", table).unwrap());
+        for acts in [Acts::Always, Acts::Below, Acts::Above] {
+            for elastic in [Curve::Zero, Curve::Linear(2e4), table.clone()] {
+                let viscous = Curve::Linear(300.0);
+                let law = Law { elastic, viscous, preload: 20.0, acts };
+                for x in [-0.031, -0.007, 0.004, 0.017, 0.044, 0.06] {
+                    let d = 1e-6;
+                    let slope = (law.potential(x + d) - law.potential(x - d)) / (2.0 * d);
+                    assert!((slope - law.conservative(x)).abs() < 1e-5, "{law:?} at {x}");
+                }
+                assert_eq!(law.potential(0.0), 0.0);
+            }
+        }
     }
 
     #[test]

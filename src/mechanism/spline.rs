@@ -11,6 +11,8 @@ pub struct Spline {
     points: Vec<[f64; 2]>,
     // Second derivatives at the points; zero at both ends.
     second: Vec<f64>,
+    // The integral from the first point to each point.
+    areas: Vec<f64>,
 }
 
 /// A function with its first two derivatives at one place.
@@ -47,23 +49,30 @@ impl Spline {
         if let Some(row) = second.iter().position(|x| !x.is_finite()) {
             return wrong(row, "two rows are too close to each other");
         }
-        Ok(Self { points, second })
+        Ok(Self::from_parts(points, second))
+    }
+
+    fn from_parts(points: Vec<[f64; 2]>, second: Vec<f64>) -> Self {
+        let mut spline = Self { areas: vec![0.0; points.len()], points, second };
+        for k in 1..spline.points.len() {
+            let end = spline.points[k][0];
+            spline.areas[k] = spline.areas[k - 1] + spline.area_within(k - 1, end);
+        }
+        spline
     }
 
     /// The function −f(−x).
     #[must_use]
     pub fn reversed(&self) -> Self {
-        Self {
-            points: self.points.iter().rev().map(|&[x, y]| [-x, -y]).collect(),
-            second: self.second.iter().rev().map(|second| -second).collect(),
-        }
+        let points = self.points.iter().rev().map(|&[x, y]| [-x, -y]).collect();
+        Self::from_parts(points, self.second.iter().rev().map(|second| -second).collect())
     }
 
     /// The function f(x − d).
     #[must_use]
     pub fn shifted(&self, d: f64) -> Self {
         let points = self.points.iter().map(|&[x, y]| [x + d, y]).collect();
-        Self { points, second: self.second.clone() }
+        Self::from_parts(points, self.second.clone())
     }
 
     /// The rows of the table.
@@ -81,6 +90,41 @@ impl Spline {
             return self.line(last - 1, last, x);
         }
         self.within(self.points.partition_point(|p| p[0] <= x) - 1, x)
+    }
+
+    /// The integral from zero to x.
+    pub fn integral(&self, x: f64) -> f64 {
+        self.antiderivative(x) - self.antiderivative(0.0)
+    }
+
+    /// The integral from the first point to x.
+    fn antiderivative(&self, x: f64) -> f64 {
+        let last = self.points.len() - 1;
+        let line = |end: usize| {
+            let ([x_end, y_end], jet) = (self.points[end], self.at(x));
+            self.areas[end] + 0.5 * (y_end + jet.value) * (x - x_end)
+        };
+        if x <= self.points[0][0] {
+            return line(0);
+        }
+        if x >= self.points[last][0] {
+            return line(last);
+        }
+        let k = self.points.partition_point(|p| p[0] <= x) - 1;
+        self.areas[k] + self.area_within(k, x)
+    }
+
+    /// The integral from the start of an interval to x.
+    fn area_within(&self, k: usize, x: f64) -> f64 {
+        let ([x0, y0], [x1, y1]) = (self.points[k], self.points[k + 1]);
+        let (m0, m1) = (self.second[k], self.second[k + 1]);
+        let h = x1 - x0;
+        let b = (x - x0) / h;
+        let a = 1.0 - b;
+        let (a2, b2) = (1.0 - a * a, b * b);
+        // The integrals of a³ − a and b³ − b over b from 0.
+        let (a4, b4) = (0.25 * (1.0 - a * a * a * a) - 0.5 * a2, 0.25 * b2 * b2 - 0.5 * b2);
+        h * (0.5 * (a2 * y0 + b2 * y1) + (a4 * m0 + b4 * m1) * h * h / 6.0)
     }
 
     /// The straight line that goes on from an end of an interval.

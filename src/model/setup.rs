@@ -30,8 +30,8 @@ pub enum WheelSupport {
     /// The travel driver holds the wheel at its height; the tyre has no force.
     #[default]
     Held,
-    /// The tyre of `[tyre]` stands on the ground.
-    Tyre,
+    /// The wheel is free: it stands on the tyre of `[tyre]`, or hangs where the model has none.
+    Free,
 }
 
 /// What the chassis does.
@@ -71,12 +71,6 @@ pub enum SuspensionError {
     /// The points make no mechanism.
     #[error(transparent)]
     Mechanism(Box<MechanismError>),
-    /// [`WheelSupport::Tyre`] without a tyre.
-    #[error(
-        "the model `{0}` has no tyre to stand on; add a section `[tyre]` with `contact`, \
-         `stiffness` and `ground`, or hold the wheel"
-    )]
-    NoTyre(String),
     /// [`Chassis::Slide`] without a sprung mass.
     #[error(
         "the model `{0}` has no sprung mass, so its chassis cannot move; add a section \

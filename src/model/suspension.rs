@@ -109,8 +109,8 @@ impl Model {
         let travel = mechanism.add_driver("travel", BodyId::GROUND, wheel.body, kind)?;
         let tyre = match (setup.support, self.tyre_force()) {
             (WheelSupport::Held, _) => None,
-            (WheelSupport::Tyre, Some(tyre)) => Some(add_force(&mut mechanism, numbers, &tyre)?),
-            (WheelSupport::Tyre, None) => return Err(SuspensionError::NoTyre(self.name.clone())),
+            (WheelSupport::Free, Some(tyre)) => Some(add_force(&mut mechanism, numbers, &tyre)?),
+            (WheelSupport::Free, None) => None,
         };
         Ok(Suspension {
             mechanism,

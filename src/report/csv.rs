@@ -5,15 +5,17 @@ use std::io;
 use super::SweepReport;
 
 impl SweepReport<'_> {
-    /// Writes the columns to 15 significant digits. A factor that the suspension does not have is empty.
+    /// Writes the columns to 15 significant digits. A value that a state does not have is empty.
     ///
     /// # Errors
     /// What the writer says.
     pub fn write_csv(&self, writer: impl io::Write) -> io::Result<()> {
         let mut csv = csv::Writer::from_writer(writer);
-        csv.write_record(self.columns()).map_err(of_the_writer)?;
+        let columns = self.columns();
+        let headers = columns.iter().map(|column| column.header(self.units));
+        csv.write_record(headers).map_err(of_the_writer)?;
         for row in &self.sweep.rows {
-            let fields = self.values(row).into_iter();
+            let fields = self.values(&columns, row).into_iter();
             csv.write_record(fields.map(|value| value.map_or_else(String::new, |v| v.to_string())))
                 .map_err(of_the_writer)?;
         }

@@ -5,10 +5,10 @@ use std::io;
 use serde_json::{Map, Value, json};
 
 use super::SweepReport;
-use crate::factors::FACTORS;
+use crate::model::{Drive, Side};
 
 impl SweepReport<'_> {
-    /// Writes one object to 15 significant digits. A factor that the suspension does not have is null.
+    /// Writes one object to 15 significant digits. A value that a state does not have is null.
     ///
     /// # Errors
     /// What the writer says.
@@ -18,18 +18,20 @@ impl SweepReport<'_> {
     }
 
     fn json(&self) -> Value {
-        let names = self.columns();
-        let columns: Vec<Value> = FACTORS
+        let units = self.units;
+        let shown = self.columns();
+        let names: Vec<String> = shown.iter().map(|column| column.header(units)).collect();
+        let columns: Vec<Value> = shown
             .iter()
             .zip(&names)
-            .map(|(factor, name)| {
+            .map(|(column, name)| {
                 json!({
                     "name": name,
-                    "title": factor.title,
-                    "unit": factor.quantity.symbol(self.model.units),
-                    "sign": factor.sign,
-                    "formula": factor.formula,
-                    "source": factor.source,
+                    "title": column.title,
+                    "unit": column.quantity.symbol(units),
+                    "sign": column.sign,
+                    "formula": column.formula,
+                    "source": column.source,
                 })
             })
             .collect();
@@ -40,7 +42,7 @@ impl SweepReport<'_> {
             .map(|row| {
                 let mut object: Map<String, Value> = names
                     .iter()
-                    .zip(self.values(row))
+                    .zip(self.values(&shown, row))
                     .map(|(name, value)| (name.clone(), json!(value)))
                     .collect();
                 object.insert("newton_iterations".into(), json!(row.iterations));
@@ -50,11 +52,11 @@ impl SweepReport<'_> {
             .collect();
         let stops: Vec<String> = self.sweep.stops.iter().map(ToString::to_string).collect();
         json!({
-            "model": self.model.name,
-            "side": self.model.side.name(),
-            "axes": self.model.axes.name(),
-            "event": self.plan.event.name(),
-            "drive": self.drive.name(),
+            "model": self.name,
+            "side": self.side.map(Side::name),
+            "axes": self.axes.name(),
+            "event": self.event,
+            "drive": self.drive.map(Drive::name),
             "states_planned": self.sweep.planned,
             "stops": stops,
             "free_motions": self.sweep.free_motions,

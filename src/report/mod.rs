@@ -2,36 +2,127 @@
 
 mod csv;
 mod json;
+mod settle;
+mod statics;
 mod table;
 
+pub use settle::{SettleReport, SettleRow};
+pub use statics::StaticsReport;
+
 use crate::factors::{FACTORS, Factor};
-use crate::model::{Drive, Model};
-use crate::rig::{Row, Sweep, SweepPlan};
+use crate::model::{Axes, Drive, Quantity, Side, Units};
+use crate::rig::{Event, Row, Sweep, SweepPlan};
 
 /// A sweep and all that is needed to show it.
 #[derive(Clone, Copy)]
 pub struct SweepReport<'a> {
-    /// The model; its axes and units are those of the report.
-    pub model: &'a Model,
-    /// What the travel driver holds.
-    pub drive: Drive,
+    /// Name of the model.
+    pub name: &'a str,
+    /// The side of the vehicle, where there is a wheel.
+    pub side: Option<Side>,
+    /// Axes of the report.
+    pub axes: Axes,
+    /// Units of the report.
+    pub units: Units,
+    /// What changes, such as `travel`, `load fx` or the name of a driver.
+    pub event: &'a str,
+    /// What the travel driver holds, where there is a wheel.
+    pub drive: Option<Drive>,
+    /// The quantity of the value that changes.
+    pub quantity: Quantity,
     /// What was asked for.
     pub plan: &'a SweepPlan,
     /// What came of it.
     pub sweep: &'a Sweep,
+    /// Whether forces and moments of joints are shown.
+    pub reactions: bool,
+}
+
+/// One column of a report.
+struct Column {
+    /// Name without unit.
+    name: String,
+    title: String,
+    quantity: Quantity,
+    sign: String,
+    formula: String,
+    source: String,
+    from: From,
+}
+
+/// Where the values of a column come from.
+#[derive(Clone, Copy)]
+enum From {
+    Factor(&'static Factor),
+    /// The value of the plan.
+    Plan,
+    Channel(usize),
+}
+
+impl Column {
+    /// Name and unit.
+    fn header(&self, units: Units) -> String {
+        format!("{}_{}", self.name, self.quantity.symbol(units))
+    }
 }
 
 impl SweepReport<'_> {
-    /// The names of the columns, with units.
-    fn columns(&self) -> Vec<String> {
-        FACTORS.iter().map(|factor| factor.column(self.model.units)).collect()
+    /// The columns: the load that changes, the factors that the suspension has, then what force
+    /// elements and, where they are asked for, joints carry.
+    fn columns(&self) -> Vec<Column> {
+        let mut columns = vec![];
+        if matches!(self.plan.event, Event::Load(_) | Event::Driver(_)) {
+            columns.push(Column {
+                name: self.event.replace(' ', "_"),
+                title: self.event.into(),
+                quantity: self.quantity,
+                sign: match self.plan.event {
+                    Event::Load(_) => "+ along the model's axis".into(),
+                    _ => "+ as the driver is defined".into(),
+                },
+                formula: "what the event changes".into(),
+                source: "input".into(),
+                from: From::Plan,
+            });
+        }
+        let has = |factor: &&Factor| {
+            let mut poses = self.sweep.rows.iter().filter_map(|row| row.pose.as_ref());
+            let shown = self.sweep.rows.is_empty() && self.side.is_some();
+            shown || poses.any(|pose| (factor.value)(pose).is_some())
+        };
+        columns.extend(FACTORS.iter().filter(has).map(|factor| Column {
+            name: factor.name.into(),
+            title: factor.title.into(),
+            quantity: factor.quantity,
+            sign: factor.sign.into(),
+            formula: factor.formula.into(),
+            source: factor.source.into(),
+            from: From::Factor(factor),
+        }));
+        let joints = if self.reactions { usize::MAX } else { self.sweep.element_channels };
+        let channels = self.sweep.channels.iter().enumerate().take(joints);
+        columns.extend(channels.map(|(index, channel)| Column {
+            name: channel.name.clone(),
+            title: channel.title.clone(),
+            quantity: channel.quantity,
+            sign: channel.sign.into(),
+            formula: channel.title.clone(),
+            source: "static equilibrium".into(),
+            from: From::Channel(index),
+        }));
+        columns
     }
 
     /// The values of a row in the units of the model, to 15 significant digits: what lies
     /// behind them is only the change of units, such as 179.99999999999994 mm for 0.18 m.
-    fn values(&self, row: &Row) -> Vec<Option<f64>> {
-        let value = |factor: &Factor| factor.show(self.model.units, &row.pose);
-        FACTORS.iter().map(|factor| value(factor).map(rounded)).collect()
+    fn values(&self, columns: &[Column], row: &Row) -> Vec<Option<f64>> {
+        let units = self.units;
+        let value = |column: &Column| match column.from {
+            From::Factor(factor) => factor.show(units, row.pose.as_ref()?),
+            From::Plan => Some(column.quantity.show(units, row.value)),
+            From::Channel(channel) => Some(column.quantity.show(units, row.channels[channel])),
+        };
+        columns.iter().map(|column| value(column).map(rounded)).collect()
     }
 }
 

@@ -3,7 +3,6 @@
 use std::io;
 
 use super::SweepReport;
-use crate::factors::FACTORS;
 
 impl SweepReport<'_> {
     /// Writes the columns aligned, lengths and angles to four decimals.
@@ -11,37 +10,38 @@ impl SweepReport<'_> {
     /// # Errors
     /// What the writer says.
     pub fn write_table(&self, mut writer: impl io::Write) -> io::Result<()> {
-        let units = self.model.units;
-        writeln!(
-            writer,
-            "{}, {} side, {} axes",
-            self.model.name,
-            self.model.side.name(),
-            self.model.axes.name()
-        )?;
+        let units = self.units;
+        match self.side {
+            Some(side) => {
+                writeln!(writer, "{}, {} side, {} axes", self.name, side.name(), self.axes.name())?;
+            }
+            None => writeln!(writer, "{}", self.name)?,
+        }
         writeln!(writer)?;
         // Names in two lines keep the columns narrow: wheel_center_x becomes `wheel center_x`.
-        let heads: Vec<(&str, String)> = FACTORS
+        let columns = self.columns();
+        let heads: Vec<(&str, String)> = columns
             .iter()
-            .map(|factor| match factor.name.split_once('_') {
+            .map(|column| match column.name.split_once('_') {
                 Some((first, rest)) => (first, rest.to_owned()),
-                None => ("", factor.name.to_owned()),
+                None => ("", column.name.clone()),
             })
             .collect();
         let cells: Vec<Vec<String>> = self
             .sweep
             .rows
             .iter()
-            .map(|row| self.values(row).into_iter().map(cell).collect())
-            .collect();
-        let widths: Vec<usize> = (0..FACTORS.len())
-            .map(|k| {
-                let values = cells.iter().map(|row| row[k].chars().count());
-                values.chain([heads[k].0.len(), heads[k].1.len()]).max().unwrap_or(0)
-            })
+            .map(|row| self.values(&columns, row).into_iter().map(cell).collect())
             .collect();
         let symbols: Vec<String> =
-            FACTORS.iter().map(|factor| factor.quantity.symbol(units)).collect();
+            columns.iter().map(|column| column.quantity.symbol(units)).collect();
+        let widths: Vec<usize> = (0..columns.len())
+            .map(|k| {
+                let values = cells.iter().map(|row| row[k].chars().count());
+                let head = [heads[k].0, &heads[k].1, &symbols[k]].map(|word| word.chars().count());
+                values.chain(head).max().unwrap_or(0)
+            })
+            .collect();
         let mut line = |fields: &mut dyn Iterator<Item = &str>| {
             let padded: Vec<String> =
                 fields.zip(&widths).map(|(field, width)| format!("{field:>width$}")).collect();
@@ -54,18 +54,18 @@ impl SweepReport<'_> {
             line(&mut row.iter().map(String::as_str))?;
         }
         writeln!(writer)?;
-        for factor in FACTORS {
-            let name = factor.name;
-            let unit = factor.quantity.symbol(units);
-            let unit = format!("[{unit}]");
-            writeln!(writer, "{name:<15} {unit:<6} {}; {}", factor.sign, factor.formula)?;
+        let width = columns.iter().map(|column| column.name.chars().count()).max().unwrap_or(0);
+        for column in &columns {
+            let unit = format!("[{}]", column.quantity.symbol(units));
+            let (name, sign, formula) = (&column.name, &column.sign, &column.formula);
+            writeln!(writer, "{name:<width$} {unit:<6} {sign}; {formula}")?;
         }
         Ok(())
     }
 }
 
 /// Four decimals; a value that rounds to zero has no sign, a missing one is a dash.
-fn cell(value: Option<f64>) -> String {
+pub(super) fn cell(value: Option<f64>) -> String {
     value.map_or_else(
         || "–".to_owned(),
         |value| {

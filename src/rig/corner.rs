@@ -2,16 +2,28 @@
 
 use thiserror::Error;
 
-use super::pose::{Axle, Pose, Wheel};
-use crate::mechanism::{BodyId, PointId};
-use crate::model::{Axes, Model, Setup, Side, Suspension, SuspensionError};
-use crate::solve::{FreeMotion, FreedomReport, StepReport, Stop, System, SystemError};
+use super::channel::{Channel, element_channels};
+use super::load::{Load, LoadPoint, WheelLoads};
+use super::pose::{Axle, Pose, Wheel, WheelLoad};
+use super::stand::Stand;
+use super::sweep::{Event, Specimen, SweepPlan};
+use crate::mechanism::{BodyId, MechanismError, PointId};
+use crate::model::{Axes, Model, Setup, Side, Suspension, SuspensionError, WheelSupport};
+use crate::relation::Coordinates;
+use crate::solve::equilibrium::Equilibrium;
+use crate::solve::{
+    FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop, SystemError,
+    point_position, rotation,
+};
 use crate::vector::dot;
 
 /// Why a corner cannot be put on the rig.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum RigError {
-    /// The model cannot be set up.
+    /// The points make no mechanism.
+    #[error(transparent)]
+    Mechanism(#[from] MechanismError),
+    /// The model cannot be set up like this.
     #[error(transparent)]
     Suspension(#[from] SuspensionError),
     /// The mechanism cannot be solved.
@@ -19,11 +31,17 @@ pub enum RigError {
     System(#[from] SystemError),
 }
 
-/// One corner of a vehicle on the rig: the chassis is fixed, the height of the
-/// wheel and the rack are driven.
+/// One corner of a vehicle on the rig.
+///
+/// The height of the wheel and the rack are driven, or the wheel stands on its tyre. Where the
+/// model has forces, every state is one of static equilibrium.
 pub struct Corner {
     suspension: Suspension,
-    system: System,
+    setup: Setup,
+    stand: Stand,
+    loads: Option<WheelLoads>,
+    load: Load,
+    elements: Vec<Channel>,
     side: Side,
     axes: Axes,
 }
@@ -34,24 +52,51 @@ impl Corner {
     /// # Errors
     /// [`RigError`] for geometry without meaning or a wheel that cannot move.
     pub fn new(model: &Model, setup: &Setup) -> Result<Self, RigError> {
-        let suspension = model.suspension(setup)?;
-        let system = System::new(suspension.mechanism.clone())?;
-        Ok(Self { suspension, system, side: model.side, axes: model.axes })
+        Self::with_loads(model, setup, LoadPoint::default())
+    }
+
+    /// As [`Self::new`], with the point at which [`Self::set_load`] loads the wheel.
+    ///
+    /// # Errors
+    /// As for [`Self::new`].
+    pub fn with_loads(model: &Model, setup: &Setup, at: LoadPoint) -> Result<Self, RigError> {
+        let mut suspension = model.suspension(setup)?;
+        let own_forces = suspension.mechanism.forces().len();
+        let loads = match model.has_forces() {
+            true => Some(WheelLoads::add(&mut suspension, at, model.axes)?),
+            false => None,
+        };
+        let released = match setup.support {
+            WheelSupport::Held => vec![],
+            WheelSupport::Free => vec![suspension.travel],
+        };
+        let stand = Stand::new(suspension.mechanism.clone(), &released, model.axes)?;
+        // What the rig puts on the wheel is an input, not a result.
+        let elements = element_channels(stand.mechanism(), stand.system().expansion())
+            .into_iter()
+            .filter(|channel| channel.force().is_some_and(|force| force.index() < own_forces));
+        let (side, axes) = (model.side, model.axes);
+        let (elements, load) = (elements.collect(), Load::default());
+        Ok(Self { suspension, setup: *setup, stand, loads, load, elements, side, axes })
     }
 
     /// Degrees of freedom, redundant equations and free motions.
     pub fn freedom(&self) -> &FreedomReport {
-        self.system.freedom()
+        self.stand.freedom()
     }
 
     /// The free motions that move the wheel or its steer axis; with one of them their position
-    /// is not determined by travel and rack.
+    /// is not determined by travel and rack. Where the model has forces they hold what joints
+    /// leave free, or there is no equilibrium.
     pub fn free_wheel_motions(&self) -> impl Iterator<Item = &FreeMotion> {
         let Suspension { wheel, steer_axis, .. } = &self.suspension;
         let steer_axis = steer_axis.iter().flat_map(|axis| [axis.lower.1, axis.upper.1]);
         let bodies: Vec<BodyId> = steer_axis.chain([wheel.body]).collect();
+        let kinematic = self.loads.is_none();
         let motions = self.freedom().free_motions.iter();
-        motions.filter(move |motion| motion.bodies.iter().any(|body| bodies.contains(body)))
+        motions.filter(move |motion| {
+            kinematic && motion.bodies.iter().any(|body| bodies.contains(body))
+        })
     }
 
     /// The suspension.
@@ -59,49 +104,166 @@ impl Corner {
         &self.suspension
     }
 
+    /// The equilibrium.
+    pub fn equilibrium(&self) -> &Equilibrium {
+        self.stand.equilibrium()
+    }
+
+    /// The mechanism on the rig.
+    pub fn stand(&self) -> &Stand {
+        &self.stand
+    }
+
     /// Whether the suspension has a rack.
     pub fn steers(&self) -> bool {
         self.suspension.rack.is_some()
     }
 
+    /// Sets the load on the wheel for the next state. A model without forces ignores it: its
+    /// position does not depend on loads.
+    pub fn set_load(&mut self, load: &Load) {
+        if let Some(loads) = &self.loads
+            && self.load != *load
+        {
+            self.load = *load;
+            loads.set(self.stand.equilibrium_mut(), load);
+        }
+    }
+
     /// Moves the wheel to a travel and the rack to a displacement (m, both from the design
-    /// position) from where they are. A suspension without a rack ignores `rack`.
+    /// position) from where they are. A suspension without a rack ignores `rack`, a wheel that stands
+    /// on its tyre ignores `travel`.
     ///
     /// # Errors
-    /// [`Stop`] where the mechanism cannot go on. It then stays where it got to.
+    /// [`Stop`] where the mechanism cannot go on or has no equilibrium. It then stays where it got to.
     pub fn move_to(&mut self, travel: f64, rack: f64) -> Result<StepReport, Stop> {
-        if let Some(driver) = self.suspension.rack {
-            self.system.set_driver(driver, rack);
-        }
-        self.system.move_to(&[(self.suspension.travel, travel)])
+        let mut targets = vec![(self.suspension.travel, travel)];
+        targets.extend(self.suspension.rack.map(|driver| (driver, rack)));
+        self.stand.move_to(&targets)
     }
 
-    /// Returns to the design position.
+    /// Lets the corner find its equilibrium at the current travel and rack.
+    ///
+    /// # Errors
+    /// [`StaticFailure`] where there is none.
+    pub fn rest(&mut self) -> Result<StaticReport, StaticFailure> {
+        self.stand.rest()
+    }
+
+    /// Returns to the design position. The load on the wheel stays.
     pub fn reset(&mut self) {
-        self.system.reset();
+        self.stand.reset();
     }
 
-    /// Where wheel and steer axis are.
-    pub fn pose(&self) -> Pose<f64> {
+    /// The channels of force elements; none where the model has no forces.
+    pub fn element_channels(&self) -> &[Channel] {
+        &self.elements
+    }
+
+    /// Where wheel and steer axis are, and what the wheel carries.
+    pub fn pose(&mut self) -> Pose<f64> {
+        let load = self.wheel_load();
+        Pose { load, ..self.pose_at(self.stand.state()) }
+    }
+
+    /// Where wheel and steer axis are at a state of the mechanism, with drivers that are held where
+    /// they are. What the wheel carries is not known there.
+    ///
+    /// # Panics
+    /// If the state belongs to another mechanism.
+    pub fn pose_at(&self, state: &[Coordinates<f64>]) -> Pose<f64> {
         let wheel = &self.suspension.wheel;
-        let rotation = self.system.rotation(wheel.body);
-        let spin = wheel.spin_axis;
-        let point = |(point, body): (PointId, BodyId)| self.system.point_position(body, point);
+        let mechanism = self.stand.mechanism();
+        let turned = rotation(state, wheel.body);
+        let point =
+            |(point, body): (PointId, BodyId)| point_position(mechanism, state, body, point);
+        let center = point((wheel.center, wheel.body));
+        let driven = |driver| self.stand.driver_value(driver);
+        let travel = match self.setup.support {
+            WheelSupport::Held => driven(self.suspension.travel),
+            WheelSupport::Free => {
+                let design = mechanism.points()[wheel.center.index()].position;
+                let chassis = self.suspension.chassis.index();
+                let sunk = state[chassis][2] - mechanism.bodies()[chassis].origin[2];
+                center[2] - design[2] - sunk
+            }
+        };
         Pose {
-            travel: self.system.driver_value(self.suspension.travel),
-            rack: self.suspension.rack.map_or(0.0, |rack| self.system.driver_value(rack)),
+            travel,
+            rack: self.suspension.rack.map_or(0.0, driven),
             wheel: Wheel {
-                center: point((wheel.center, wheel.body)),
-                spin: rotation.map(|row| dot(row, spin)),
+                center,
+                spin: turned.map(|row| dot(row, wheel.spin_axis)),
                 radius: wheel.radius,
             },
-            rotation,
+            rotation: turned,
             steer_axis: self
                 .suspension
                 .steer_axis
                 .map(|axis| Axle { lower: point(axis.lower), upper: point(axis.upper) }),
+            load: None,
             side: self.side,
             axes: self.axes,
         }
+    }
+
+    /// The vertical force on the wheel and how it grows with the travel.
+    fn wheel_load(&mut self) -> Option<WheelLoad<f64>> {
+        if !self.stand.is_loaded() || !self.stand.is_in_equilibrium() {
+            return None;
+        }
+        let travel = self.suspension.travel;
+        match self.setup.support {
+            WheelSupport::Held => {
+                let force = -self.stand.equilibrium().driver_multiplier(travel);
+                Some(WheelLoad { force, rate: self.stand.driver_rate(travel) })
+            }
+            WheelSupport::Free => {
+                let force = self.stand.equilibrium().loaded().force(self.suspension.tyre?);
+                Some(WheelLoad { force: force.force[2], rate: None })
+            }
+        }
+    }
+}
+
+impl Specimen for Corner {
+    fn go_to(&mut self, plan: &SweepPlan, value: f64) -> Result<StepReport, Stop> {
+        let mut held = plan.held;
+        match plan.event {
+            Event::Travel => held.travel = value,
+            Event::Steer => held.rack = value,
+            Event::Load(component) => held.load.components[component] = value,
+            // Drivers by name belong to mechanisms without a wheel.
+            Event::Driver(_) => {}
+        }
+        self.set_load(&held.load);
+        self.move_to(held.travel, held.rack)
+    }
+
+    fn reset(&mut self) {
+        Self::reset(self);
+    }
+
+    fn pose(&mut self) -> Option<Pose<f64>> {
+        Some(Self::pose(self))
+    }
+
+    fn element_channels(&self) -> &[Channel] {
+        &self.elements
+    }
+
+    fn joint_channels(&self) -> &[Channel] {
+        self.stand.joint_channels()
+    }
+
+    fn channel_values(&self) -> Vec<f64> {
+        let equilibrium = self.stand.equilibrium();
+        let (loaded, reactions) = (equilibrium.loaded(), equilibrium.reactions());
+        let channels = self.elements.iter().chain(self.joint_channels());
+        channels.map(|channel| channel.value(&loaded, &reactions, self.axes)).collect()
+    }
+
+    fn free_motions(&self) -> Vec<String> {
+        self.free_wheel_motions().map(|motion| motion.description.clone()).collect()
     }
 }

@@ -3,10 +3,16 @@
 //! The chassis is fixed. [`Corner`] drives the wheel up and down and the rack
 //! from side to side; [`Sweep`] does so along an event and keeps what was reached.
 
+mod channel;
 mod corner;
+mod load;
 mod pose;
+mod stand;
 mod sweep;
 
+pub use channel::Channel;
 pub use corner::{Corner, RigError};
-pub use pose::{Axle, Pose, Wheel};
-pub use sweep::{Event, Row, Sweep, SweepPlan};
+pub use load::{LOAD_COMPONENTS, Load, LoadPoint};
+pub use pose::{Axle, Pose, Wheel, WheelLoad};
+pub use stand::Stand;
+pub use sweep::{Event, Held, Row, Specimen, Sweep, SweepPlan};

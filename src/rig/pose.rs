@@ -41,7 +41,16 @@ impl<S: Scalar> Wheel<S> {
     }
 }
 
-/// One state of a corner, in ISO 8855 axes (x forward, y left, z up), relative to the chassis.
+/// The vertical load of a wheel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WheelLoad<S> {
+    /// Vertical force of the ground or the rig on the wheel (N), positive up.
+    pub force: S,
+    /// The derivative of the force by the travel of a wheel that is held, the wheel rate (N/m).
+    pub rate: Option<S>,
+}
+
+/// One state of a corner, in ISO 8855 axes (x forward, y left, z up), the chassis fixed or on its slide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<S> {
     /// Change of the height of the wheel (m), positive in jounce.
@@ -55,6 +64,8 @@ pub struct Pose<S> {
     pub rotation: [[S; 3]; 3],
     /// The steer axis through two joints, where the architecture has one.
     pub steer_axis: Option<Axle<S>>,
+    /// The vertical load of the wheel, where the model has forces.
+    pub load: Option<WheelLoad<S>>,
     /// The side of the vehicle.
     pub side: Side,
     /// The axes of the model, in which coordinates are shown.

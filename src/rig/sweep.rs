@@ -1,26 +1,33 @@
 //! Events: a sequence of states of a corner.
 
-use super::corner::Corner;
+use super::channel::Channel;
+use super::load::Load;
 use super::pose::Pose;
-use crate::solve::Stop;
+use crate::mechanism::DriverId;
+use crate::solve::{StepReport, Stop};
 
-/// What moves in an event; the other driver is held.
+/// What changes in an event; all else is held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Event {
     /// The wheel goes up and down, the rack is held.
     Travel,
     /// The rack moves, the height of the wheel is held.
     Steer,
+    /// One component of the load on the wheel grows, by its position in [`LOAD_COMPONENTS`].
+    Load(usize),
+    /// A driver of a mechanism moves, all others are held.
+    Driver(DriverId),
 }
 
-impl Event {
-    /// The name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Travel => "travel",
-            Self::Steer => "steer",
-        }
-    }
+/// What an event does not change.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Held {
+    /// Travel of the wheel (m), where it is held.
+    pub travel: f64,
+    /// Displacement of the rack (m).
+    pub rack: f64,
+    /// Load on the wheel (N and N·m).
+    pub load: Load,
 }
 
 /// The states that a sweep visits.
@@ -28,14 +35,14 @@ impl Event {
 pub struct SweepPlan {
     /// What moves.
     pub event: Event,
-    /// First value (m).
+    /// First value (m, N or N·m).
     pub from: f64,
-    /// Last value (m).
+    /// Last value.
     pub to: f64,
-    /// Distance of values (m); its sign does not matter. Zero leaves out all between first and last.
+    /// Distance of values; its sign does not matter. Zero leaves out all between first and last.
     pub step: f64,
-    /// Value of the driver that is held (m).
-    pub held: f64,
+    /// What is held.
+    pub held: Held,
 }
 
 impl SweepPlan {
@@ -61,20 +68,44 @@ impl SweepPlan {
         }
         values
     }
+}
 
-    fn targets(&self, value: f64) -> (f64, f64) {
-        match self.event {
-            Event::Travel => (value, self.held),
-            Event::Steer => (self.held, value),
-        }
-    }
+/// What a sweep moves: a corner, or a mechanism without a wheel.
+pub trait Specimen {
+    /// Goes to one value of a plan.
+    ///
+    /// # Errors
+    /// [`Stop`] where it cannot go on.
+    fn go_to(&mut self, plan: &SweepPlan, value: f64) -> Result<StepReport, Stop>;
+
+    /// Returns to the design position.
+    fn reset(&mut self);
+
+    /// Where wheel and steer axis are, where there is a wheel.
+    fn pose(&mut self) -> Option<Pose<f64>>;
+
+    /// The channels of force elements, or of bodies, drivers and force elements.
+    fn element_channels(&self) -> &[Channel];
+
+    /// The channels of joints.
+    fn joint_channels(&self) -> &[Channel];
+
+    /// The values (SI) of all channels, those of joints last.
+    fn channel_values(&self) -> Vec<f64>;
+
+    /// Motions that make the state arbitrary, in words.
+    fn free_motions(&self) -> Vec<String>;
 }
 
 /// One state of a sweep.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Where wheel and steer axis are.
-    pub pose: Pose<f64>,
+    /// The value of the plan (m, N or N·m).
+    pub value: f64,
+    /// Where wheel and steer axis are, where there is a wheel.
+    pub pose: Option<Pose<f64>>,
+    /// The values (SI) of [`Sweep::channels`].
+    pub channels: Vec<f64>,
     /// Newton iterations from the state before.
     pub iterations: usize,
     /// The largest residual, each equation divided by the size of its terms.
@@ -86,6 +117,10 @@ pub struct Row {
 pub struct Sweep {
     /// The states in the order of the plan.
     pub rows: Vec<Row>,
+    /// What force elements and, behind them, joints carry at each state.
+    pub channels: Vec<Channel>,
+    /// How many of the channels belong to force elements.
+    pub element_channels: usize,
     /// The number of states that the plan has.
     pub planned: usize,
     /// Where the mechanism could not go on: at most one stop for each direction.
@@ -101,13 +136,17 @@ impl Sweep {
     /// The sweep starts at the value nearest to the design position and goes
     /// outwards from there, so that every state is reached from a neighbour that
     /// lies nearer to the design position, and a stop on one side leaves the other.
-    pub fn run(corner: &mut Corner, plan: &SweepPlan, progress: impl FnMut(usize)) -> Self {
+    pub fn run(
+        specimen: &mut impl Specimen,
+        plan: &SweepPlan,
+        progress: impl FnMut(usize),
+    ) -> Self {
         let values = plan.values();
         let middle = (0..values.len())
             .min_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs()))
             .unwrap_or_default();
         let (before, after) = values.split_at(middle);
-        let mut run = Run { corner, plan, progress, done: 0, stops: Vec::new() };
+        let mut run = Run { specimen, plan, progress, done: 0, stops: Vec::new() };
 
         let outwards = run.follow(after.iter());
         let mut rows = Vec::new();
@@ -115,7 +154,7 @@ impl Sweep {
         if let ([_, ..], Some(&first)) = (outwards.as_slice(), after.first())
             && !before.is_empty()
         {
-            run.corner.reset();
+            run.specimen.reset();
             if run.row(first).is_some() {
                 rows = run.follow(before.iter().rev());
                 rows.reverse();
@@ -123,21 +162,23 @@ impl Sweep {
         }
         rows.extend(outwards);
         let stops = run.stops;
-        let free_motions =
-            corner.free_wheel_motions().map(|motion| motion.description.clone()).collect();
-        Self { rows, planned: values.len(), stops, free_motions }
+        let free_motions = specimen.free_motions();
+        let elements = specimen.element_channels();
+        let channels = [elements, specimen.joint_channels()].concat();
+        let element_channels = elements.len();
+        Self { rows, channels, element_channels, planned: values.len(), stops, free_motions }
     }
 }
 
-struct Run<'a, P> {
-    corner: &'a mut Corner,
+struct Run<'a, C, P> {
+    specimen: &'a mut C,
     plan: &'a SweepPlan,
     progress: P,
     done: usize,
     stops: Vec<Stop>,
 }
 
-impl<P: FnMut(usize)> Run<'_, P> {
+impl<C: Specimen, P: FnMut(usize)> Run<'_, C, P> {
     fn follow<'v>(&mut self, values: impl Iterator<Item = &'v f64>) -> Vec<Row> {
         let mut rows = Vec::new();
         for &value in values {
@@ -150,10 +191,11 @@ impl<P: FnMut(usize)> Run<'_, P> {
     }
 
     fn row(&mut self, value: f64) -> Option<Row> {
-        let (travel, rack) = self.plan.targets(value);
-        match self.corner.move_to(travel, rack) {
+        match self.specimen.go_to(self.plan, value) {
             Ok(report) => Some(Row {
-                pose: self.corner.pose(),
+                value,
+                pose: self.specimen.pose(),
+                channels: self.specimen.channel_values(),
                 iterations: report.iterations,
                 relative_residual: report.relative_residual,
             }),
@@ -170,7 +212,7 @@ mod tests {
     use super::*;
 
     fn values(from: f64, to: f64, step: f64) -> Vec<f64> {
-        SweepPlan { event: Event::Travel, from, to, step, held: 0.0 }.values()
+        SweepPlan { event: Event::Travel, from, to, step, held: Held::default() }.values()
     }
 
     #[test]

@@ -1,72 +1,138 @@
 //! Static equilibrium: coordinates and multipliers together (paper, eq. 4–7).
 
 use super::convergence::{Outcome, Tolerances};
-use super::linear::{LinearSolver, largest, solver};
+use super::linear::{LinearSolver, Singular, largest, solver};
 use super::newton::{Equations, newton};
 use super::position::{Scales, move_bodies};
 use super::system::System;
-use crate::assembly::{Kkt, Numbering};
+use crate::assembly::{Elements, Inertias, Kkt, Numbering, Terms};
+use crate::mechanism::{DriverId, Expansion, Mechanism, Owner};
 use crate::relation::Coordinates;
 
-/// The equations Φ_qᵀλ − Q = 0 and Φ = 0 with their unknowns q and λ, for a
-/// constant generalized load Q.
+/// The part of the largest stiffness times the size of the mechanism that forces are at least
+/// measured with: what rounding of a position does to the force of a stiff bushing is no residual.
+const STIFFNESS_SHARE: f64 = 1e-3;
+
+/// The equations Φ_qᵀλ − Q = 0 and Φ = 0 with their unknowns q and λ. Q is the sum of the force
+/// elements of the mechanism and a constant generalized load.
 ///
 /// The multipliers are unique only where no equation is left out as redundant;
 /// the multiplier of a left-out equation is zero. A free motion without
-/// stiffness makes the matrix singular.
+/// stiffness makes the matrix singular. [`Self::find`] is the robust way to a solution;
+/// [`Self::solve`] is Newton's method alone.
 pub struct Equilibrium {
-    problem: Problem,
-    linear: Box<dyn LinearSolver>,
-    step: Vec<f64>,
+    pub(super) mechanism: Mechanism,
+    pub(super) expansion: Expansion,
+    pub(super) terms: Terms,
+    pub(super) problem: Problem,
+    pub(super) linear: Box<dyn LinearSolver>,
+    pub(super) step: Vec<f64>,
+    pub(super) released: Vec<DriverId>,
+    pub(super) driver_values: Vec<f64>,
+    design: Vec<f64>,
+    dh: Vec<f64>,
+    tangent: Vec<f64>,
+    phi_change: Vec<f64>,
+    force_change: Vec<f64>,
 }
 
-struct Problem {
-    kkt: Kkt,
-    numbering: Numbering,
-    scales: Scales,
-    sizes: Vec<f64>,
-    h: Vec<f64>,
-    load: Vec<f64>,
-    state: Vec<Coordinates<f64>>,
-    lambda: Vec<f64>,
-    phi: Vec<f64>,
+pub(super) struct Problem {
+    pub kkt: Kkt,
+    pub numbering: Numbering,
+    pub scales: Scales,
+    pub sizes: Vec<f64>,
+    pub h: Vec<f64>,
+    pub load: Vec<f64>,
+    pub state: Vec<Coordinates<f64>>,
+    pub lambda: Vec<f64>,
+    pub phi: Vec<f64>,
+    // The residual of the state from which loads are stepped, and the part of it that is
+    // held back: the equations are F(x) − held F(x₀).
+    pub start_force: Vec<f64>,
+    pub start_phi: Vec<f64>,
+    pub held: f64,
     // State and multipliers at the start of a step.
     start: Vec<Coordinates<f64>>,
     start_lambda: Vec<f64>,
-    // The largest force so far: what forces are measured with.
-    force_size: f64,
+    // What forces are measured with.
+    pub force_size: f64,
+    // The weight of the damping with which a relaxation moves, and its diagonal.
+    pub damping: f64,
+    pub diagonal: Vec<f64>,
 }
 
 impl Equilibrium {
-    /// The equations of a system at its current state, with λ = 0 and Q = 0.
+    /// The equations of a system at its current state, with all drivers held, λ = 0 and no
+    /// load besides the force elements.
     pub fn new(system: &System) -> Self {
+        Self::released(system, &[])
+    }
+
+    /// The equations of a system at its current state, with the given drivers taken away.
+    pub fn released(system: &System, released: &[DriverId]) -> Self {
         let position = system.position();
-        let numbering = position.numbering().clone();
-        let kkt = Kkt::new(system.terms().clone(), &numbering);
+        let expansion = system.expansion();
+        let numbering = system.numbering_without(released);
+        let elements = Elements::new(expansion);
+        let kkt = Kkt::with_forces(system.terms().clone(), elements, Inertias::none(), &numbering);
         let equations = position.sizes().len();
+        let unknowns = kkt.unknowns();
+        let drivers = system.mechanism().driver_ids();
         Self {
             linear: solver(kkt.pattern()),
             step: vec![0.0; kkt.pattern().rows()],
+            tangent: vec![0.0; kkt.pattern().rows()],
+            dh: vec![0.0; position.h.len()],
+            phi_change: vec![0.0; equations],
+            force_change: vec![0.0; unknowns],
+            released: released.to_vec(),
+            driver_values: drivers.map(|driver| system.driver_value(driver)).collect(),
+            design: expansion.parameters(&system.mechanism().positions()),
+            mechanism: system.mechanism().clone(),
+            expansion: expansion.clone(),
+            terms: system.terms().clone(),
             problem: Problem {
                 scales: position.scales,
                 sizes: position.sizes().to_vec(),
                 h: position.h.clone(),
-                load: vec![0.0; kkt.unknowns()],
+                load: vec![0.0; unknowns],
                 state: position.state.clone(),
                 lambda: vec![0.0; equations],
                 phi: vec![0.0; equations],
+                start_force: vec![0.0; unknowns],
+                start_phi: vec![0.0; equations],
+                held: 0.0,
                 start: position.state.clone(),
                 start_lambda: vec![0.0; equations],
                 force_size: 1.0,
+                damping: 0.0,
+                diagonal: (0..unknowns)
+                    .map(|unknown| position.scales.coordinate(unknown).powi(-2))
+                    .collect(),
                 numbering,
                 kkt,
             },
         }
     }
 
-    /// The generalized load Q: seven entries for each moving body, work-conjugate to its coordinates.
+    /// The mechanism.
+    pub fn mechanism(&self) -> &Mechanism {
+        &self.mechanism
+    }
+
+    /// The generalized load: seven entries for each moving body, work-conjugate to its coordinates.
     pub fn load_mut(&mut self) -> &mut [f64] {
         &mut self.problem.load
+    }
+
+    /// The force elements with their last values.
+    pub fn elements(&self) -> &Elements {
+        self.problem.kkt.elements()
+    }
+
+    /// The force elements, to change their laws along a load schedule.
+    pub fn elements_mut(&mut self) -> &mut Elements {
+        self.problem.kkt.elements_mut()
     }
 
     /// Coordinates of all bodies, the ground first.
@@ -79,6 +145,11 @@ impl Equilibrium {
         &mut self.problem.state
     }
 
+    /// The parameters h of all relations, with the current values of the drivers.
+    pub fn parameters(&self) -> &[f64] {
+        &self.problem.h
+    }
+
     /// Multipliers of all equations, zero for left-out ones.
     pub fn multipliers(&self) -> &[f64] {
         &self.problem.lambda
@@ -89,13 +160,32 @@ impl Equilibrium {
         &mut self.problem.lambda
     }
 
+    /// Whether an equation is held; others are redundant or belong to released drivers.
+    pub fn is_held(&self, equation: usize) -> bool {
+        self.problem.numbering.row(equation).is_some()
+    }
+
+    /// The multiplier of a driver: the force (N) or moment (N·m) −λ that it takes to hold it.
+    pub fn driver_multiplier(&self, driver: DriverId) -> f64 {
+        self.problem.lambda[self.equation_of(driver)]
+    }
+
+    /// The value (m or rad, from the design position) that a driver has.
+    pub fn driver_value(&self, driver: DriverId) -> f64 {
+        self.driver_values[driver.index()]
+    }
+
+    /// Sets the value (m or rad, from the design position) of a driver for the next solution.
+    pub fn set_driver(&mut self, driver: DriverId, value: f64) {
+        let slot = self.expansion.driver_slot(driver);
+        self.driver_values[driver.index()] = value;
+        self.problem.h[slot] = self.design[slot] + value;
+    }
+
     /// Solves for coordinates and multipliers by Newton's method.
     pub fn solve(&mut self, tolerances: &Tolerances) -> Outcome {
-        let problem = &mut self.problem;
-        let forces = [&problem.load, &problem.lambda];
-        let size = forces.iter().map(|force| largest(force)).fold(0.0, f64::max);
-        problem.force_size = if size > 0.0 { size } else { 1.0 };
-        newton(problem, self.linear.as_mut(), tolerances, &mut self.step)
+        self.problem.measure();
+        newton(&mut self.problem, self.linear.as_mut(), tolerances, &mut self.step)
     }
 
     /// Fills and factorises the matrix at the current state and takes one full step.
@@ -104,18 +194,107 @@ impl Equilibrium {
         let once = Tolerances { iterations: 1, ..Tolerances::default() };
         self.solve(&once).status != super::newton::Status::Singular
     }
+
+    /// How coordinates (first) and multipliers of the rows that are held (then) change with
+    /// the value of a driver, at the solution that was found last.
+    ///
+    /// # Errors
+    /// [`Singular`] where the solution is not isolated.
+    pub fn driver_tangent(&mut self, driver: DriverId) -> Result<DriverTangent<'_>, Singular> {
+        let problem = &mut self.problem;
+        problem.kkt.fill(&problem.state, &problem.h, &problem.lambda, &mut problem.phi);
+        self.linear.factorise(problem.kkt.values())?;
+        self.dh.fill(0.0);
+        self.dh[self.expansion.driver_slot(driver)] = 1.0;
+        problem.kkt.terms().design_products(
+            &problem.state,
+            &problem.h,
+            &self.dh,
+            Some(&problem.lambda),
+            &mut self.phi_change,
+            &mut self.force_change,
+        );
+        let (force, phi) = self.tangent.split_at_mut(problem.kkt.unknowns());
+        for (out, change) in force.iter_mut().zip(&self.force_change) {
+            *out = -change;
+        }
+        for (out, &equation) in phi.iter_mut().zip(problem.numbering.kept()) {
+            *out = -self.phi_change[equation];
+        }
+        self.linear.solve(&mut self.tangent)?;
+        let (coordinates, multipliers) = self.tangent.split_at(problem.kkt.unknowns());
+        Ok(DriverTangent { coordinates, multipliers, numbering: &problem.numbering })
+    }
+
+    /// The equation of a driver, for [`DriverTangent::multiplier`].
+    ///
+    /// # Panics
+    /// If the driver belongs to another mechanism.
+    pub fn equation_of(&self, driver: DriverId) -> usize {
+        let mut equations = self.expansion.equations_of(Owner::Driver(driver));
+        equations.next().expect("every driver has an equation")
+    }
+}
+
+/// The derivative of an equilibrium by the value of a driver.
+pub struct DriverTangent<'a> {
+    /// Of the coordinates, seven for each moving body.
+    pub coordinates: &'a [f64],
+    multipliers: &'a [f64],
+    numbering: &'a Numbering,
+}
+
+impl DriverTangent<'_> {
+    /// Of the multiplier of an equation; zero where it is left out.
+    pub fn multiplier(&self, equation: usize) -> f64 {
+        self.numbering.row(equation).map_or(0.0, |row| self.multipliers[row])
+    }
 }
 
 impl Problem {
+    /// Finds what forces are measured with.
+    pub fn measure(&mut self) {
+        self.kkt.fill(&self.state, &self.h, &self.lambda, &mut self.phi);
+        let scales = self.scales;
+        let arm = |unknown| scales.length / scales.coordinate(unknown);
+        let forces = self.kkt.magnitude().iter().zip(&self.load).enumerate();
+        let size = forces.fold(0.0, |size: f64, (unknown, (inner, outer))| {
+            size.max(inner.max(outer.abs()) / arm(unknown))
+        });
+        let stiffness = self.kkt.largest_stiffness(|unknown| scales.coordinate(unknown));
+        let size = size.max(STIFFNESS_SHARE * stiffness / scales.length);
+        self.force_size = if size > 0.0 && size.is_finite() { size } else { 1.0 };
+    }
+
+    /// Holds the residual of the current state back, all of it.
+    pub fn hold_residual(&mut self) {
+        self.kkt.residual(&self.state, &self.h, &self.lambda, &mut self.phi);
+        for (held, (inner, outer)) in
+            self.start_force.iter_mut().zip(self.kkt.force().iter().zip(&self.load))
+        {
+            *held = inner - outer;
+        }
+        self.start_phi.copy_from_slice(&self.phi);
+        self.held = 1.0;
+    }
+
+    fn force_residual(&self, unknown: usize) -> f64 {
+        let force = self.kkt.force()[unknown] - self.load[unknown];
+        force - self.held * self.start_force[unknown]
+    }
+
+    fn phi_residual(&self, equation: usize) -> f64 {
+        self.phi[equation] - self.held * self.start_phi[equation]
+    }
+
     fn size(&self) -> f64 {
-        let force = self.kkt.force().iter().zip(&self.load).enumerate();
-        let force = force.fold(0.0, |worst: f64, (unknown, (inner, outer))| {
+        let force = (0..self.kkt.unknowns()).fold(0.0, |worst: f64, unknown| {
             // A force works on metres, a moment on Euler parameters.
             let arm = self.scales.length / self.scales.coordinate(unknown);
-            worst_of(worst, (inner - outer) / (arm * self.force_size))
+            worst_of(worst, self.force_residual(unknown) / (arm * self.force_size))
         });
         self.numbering.kept().iter().fold(force, |worst, &equation| {
-            worst_of(worst, self.phi[equation] / self.sizes[equation])
+            worst_of(worst, self.phi_residual(equation) / self.sizes[equation])
         })
     }
 }
@@ -132,6 +311,9 @@ impl Equations for Problem {
 
     fn linearise(&mut self) -> f64 {
         self.kkt.fill(&self.state, &self.h, &self.lambda, &mut self.phi);
+        if self.damping > 0.0 {
+            self.kkt.add_diagonal(&self.diagonal, self.damping);
+        }
         self.size()
     }
 
@@ -141,11 +323,11 @@ impl Equations for Problem {
 
     fn right_side(&self, right_side: &mut [f64]) {
         let (force, phi) = right_side.split_at_mut(self.kkt.unknowns());
-        for (f, (inner, outer)) in force.iter_mut().zip(self.kkt.force().iter().zip(&self.load)) {
-            *f = outer - inner;
+        for (unknown, force) in force.iter_mut().enumerate() {
+            *force = -self.force_residual(unknown);
         }
         for (phi, &equation) in phi.iter_mut().zip(self.numbering.kept()) {
-            *phi = -self.phi[equation];
+            *phi = -self.phi_residual(equation);
         }
     }
 
@@ -163,8 +345,7 @@ impl Equations for Problem {
     }
 
     fn step_size(&self, step: &[f64]) -> f64 {
-        let (change, multipliers) = step.split_at(self.kkt.unknowns());
-        let size = self.scales.change(change).max(largest(multipliers) / self.force_size);
-        if largest(step).is_finite() { size } else { f64::INFINITY }
+        let change = &step[..self.kkt.unknowns()];
+        if largest(step).is_finite() { self.scales.change(change) } else { f64::INFINITY }
     }
 }

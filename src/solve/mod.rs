@@ -10,12 +10,17 @@
 //! | `sparse_lu` | faer's factorisation, for large systems |
 //! | `newton`, `convergence` | the iteration of the paper's eq. (5)–(7) and Fig. 1 |
 //! | `equilibrium` | both residuals of eq. (4): coordinates and multipliers |
+//! | `statics` | the robust way to an equilibrium, and why there is none |
+//! | `stability` | the stiffness against the motions that joints allow |
+//! | `dynamics` | motion in time |
+//! | `wrench` | reactions of joints and forces of elements |
 //! | `position` | Φ = 0 alone |
 //! | `travel` | continuation along driver values |
 //! | `freedom` | redundant equations and free motions, in words |
 //! | `stop` | why a mechanism cannot go on |
 
 mod convergence;
+pub mod dynamics;
 mod elimination;
 pub mod equilibrium;
 pub mod freedom;
@@ -25,11 +30,17 @@ pub mod newton;
 mod position;
 mod rank;
 mod sparse_lu;
+mod stability;
+mod statics;
 mod stop;
 mod system;
 mod travel;
+mod wrench;
 
 pub use convergence::Tolerances;
 pub use freedom::{FreeMotion, FreedomReport, RedundantEquation};
+pub use motion::{point_position, rotation};
+pub use statics::{StaticFailure, StaticReport};
 pub use stop::{Stop, StopReason};
 pub use system::{StepReport, System, SystemError};
+pub use wrench::{Loaded, Reaction, Wrench};

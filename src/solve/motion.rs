@@ -101,8 +101,11 @@ pub(super) fn localise(
     motions.iter().map(|motion| motion.chunks_exact(6).map(twist).collect()).collect()
 }
 
-/// Where a point of a body is (m).
-pub(super) fn point_position(
+/// Where a point of a body is (m), which moves with the body whichever joint it belongs to.
+///
+/// # Panics
+/// If body or point belong to another mechanism.
+pub fn point_position(
     mechanism: &Mechanism,
     state: &[Coordinates<f64>],
     body: BodyId,
@@ -112,6 +115,18 @@ pub(super) fn point_position(
     let origin = mechanism.bodies()[body.index()].origin;
     let local = sub(mechanism.points()[point.index()].position, origin);
     add([q[0], q[1], q[2]], rotate([q[3], q[4], q[5], q[6]], local))
+}
+
+/// The rotation matrix of a body, row by row: it turns directions from the design position to
+/// the current one.
+///
+/// # Panics
+/// If the body belongs to another mechanism.
+pub fn rotation(state: &[Coordinates<f64>], body: BodyId) -> [[f64; 3]; 3] {
+    let q = &state[body.index()];
+    let p = [q[3], q[4], q[5], q[6]];
+    let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| rotate(p, axis));
+    std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]))
 }
 
 /// How exactly a motion is known and wanted.

@@ -7,9 +7,10 @@ use thiserror::Error;
 use super::motion::{Precision, Twist, describe, point_position, twists};
 use super::position::Position;
 use super::rank::{scaled_jacobian, weakest};
+use super::statics::StaticFailure;
 use super::travel::Failure;
 use crate::assembly::{Terms, design_state};
-use crate::mechanism::{BodyId, Expansion, JointKind, Mechanism, Owner};
+use crate::mechanism::{BodyId, DriverId, Expansion, JointKind, Mechanism, Owner};
 use crate::relation::Coordinates;
 use crate::vector::{cross, norm, scale, sub, unit};
 
@@ -46,6 +47,8 @@ pub enum StopReason {
         /// The driver.
         driver: String,
     },
+    /// The mechanism is held, but its forces have no equilibrium.
+    NoEquilibrium(StaticFailure),
 }
 
 /// Where one driver was when the mechanism stopped.
@@ -77,18 +80,33 @@ impl Stop {
         values: &[f64],
         targets: &[f64],
     ) -> Self {
-        let ways = mechanism.drivers().iter().zip(values.iter().zip(targets));
-        let reached = ways
-            .filter(|(_, (value, target))| value != target)
-            .map(|(driver, (&value, &target))| Reached {
-                driver: driver.name.clone(),
-                unit: driver.kind.unit(),
-                value,
-                target,
-            })
-            .collect();
-        Self { reached, reason }
+        let ways = values.iter().zip(targets).enumerate();
+        let ways = ways.map(|(driver, (&value, &target))| (DriverId(driver), value, target));
+        Self { reached: on_the_way(mechanism, ways), reason }
     }
+
+    /// The forces have no equilibrium. `ways` lists drivers with their values and their targets.
+    pub fn no_equilibrium(
+        mechanism: &Mechanism,
+        failure: StaticFailure,
+        ways: &[(DriverId, f64, f64)],
+    ) -> Self {
+        let reached = on_the_way(mechanism, ways.iter().copied());
+        Self { reached, reason: StopReason::NoEquilibrium(failure) }
+    }
+}
+
+/// The drivers that have not reached their targets.
+fn on_the_way(
+    mechanism: &Mechanism,
+    ways: impl Iterator<Item = (DriverId, f64, f64)>,
+) -> Vec<Reached> {
+    ways.filter(|(_, value, target)| value != target)
+        .map(|(driver, value, target)| {
+            let driver = &mechanism.drivers()[driver.index()];
+            Reached { driver: driver.name.clone(), unit: driver.kind.unit(), value, target }
+        })
+        .collect()
 }
 
 impl fmt::Display for Stop {
@@ -141,6 +159,7 @@ impl fmt::Display for StopReason {
             Self::NotFinite { driver } => {
                 write!(f, "driver {driver} was given a value that is not a finite number")
             }
+            Self::NoEquilibrium(failure) => write!(f, "{failure}"),
         }
     }
 }
@@ -227,7 +246,7 @@ fn nearest_joint(
     };
     let mut driven = vec![];
     for (index, driver) in mechanism.drivers().iter().enumerate() {
-        if loaded(Owner::Driver(crate::mechanism::DriverId(index)), 1e-6) {
+        if loaded(Owner::Driver(DriverId(index)), 1e-6) {
             driven.extend([driver.i, driver.j]);
         }
     }

@@ -9,7 +9,7 @@ use super::rank::{scaled_jacobian, select};
 use super::stop::{Stop, StopReason};
 use super::travel::{Failure, Travel};
 use crate::assembly::{Numbering, Terms, design_state};
-use crate::mechanism::{BodyId, DriverId, Expansion, Mechanism, PointId};
+use crate::mechanism::{BodyId, DriverId, Expansion, Mechanism, Owner, PointId};
 use crate::relation::Coordinates;
 
 /// The part of the way that a new choice of equations has to gain.
@@ -214,11 +214,7 @@ impl System {
     /// # Panics
     /// If the body belongs to another mechanism.
     pub fn rotation(&self, body: BodyId) -> [[f64; 3]; 3] {
-        let q = &self.state()[body.index()];
-        let p = [q[3], q[4], q[5], q[6]];
-        let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-            .map(|axis| crate::vector::rotate(p, axis));
-        std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]))
+        motion::rotation(self.state(), body)
     }
 
     pub(super) fn position(&self) -> &Position {
@@ -227,6 +223,18 @@ impl System {
 
     pub(super) fn terms(&self) -> &Terms {
         &self.terms
+    }
+
+    /// The independent equations without those of drivers that are let go.
+    pub(super) fn numbering_without(&self, released: &[DriverId]) -> Numbering {
+        let left_out: Vec<usize> = (0..self.expansion.equation_count())
+            .filter(|&equation| {
+                let owner = self.expansion.owner(equation);
+                let free = matches!(owner, Owner::Driver(driver) if released.contains(&driver));
+                free || self.position.numbering().row(equation).is_none()
+            })
+            .collect();
+        Numbering::new(&self.expansion, &left_out)
     }
 
     /// Moves the drivers to their targets.

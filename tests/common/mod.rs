@@ -1,6 +1,8 @@
 //! Mechanisms that several tests use.
 #![allow(dead_code)]
 
+pub mod sedan;
+
 use hardpoint::mechanism::{
     BodyId, Direction, DriverId, DriverKind, JointKind, Mechanism, MechanismError, PointId,
 };
@@ -44,7 +46,18 @@ pub fn double_wishbone(
     place: impl Fn([f64; 3]) -> [f64; 3],
     turn: impl Fn([f64; 3]) -> [f64; 3],
 ) -> Result<DoubleWishbone, MechanismError> {
-    let mut m = Mechanism::new("chassis");
+    let m = Mechanism::new("chassis");
+    suspend(m, BodyId::GROUND, tie_rod, place, turn)
+}
+
+/// As [`double_wishbone`] on any body that carries it.
+pub fn suspend(
+    mut m: Mechanism,
+    chassis: BodyId,
+    tie_rod: TieRod,
+    place: impl Fn([f64; 3]) -> [f64; 3],
+    turn: impl Fn([f64; 3]) -> [f64; 3],
+) -> Result<DoubleWishbone, MechanismError> {
     let mut points = Vec::new();
     for (name, position) in SEDAN {
         points.push(m.add_point(name, place(position))?);
@@ -58,12 +71,11 @@ pub fn double_wishbone(
     let upright = m.add_body("upright", origin(8))?;
     let tierod = m.add_body("tierod", origin(7))?;
     let rack = m.add_body("rack", origin(6))?;
-    let ground = BodyId::GROUND;
     let between = Direction::Between;
     let lateral = Direction::Fixed(turn([0.0, 1.0, 0.0]));
     let revolute = |at, axis| JointKind::Revolute { at, axis };
-    m.add_joint("lca_pivot", ground, lca, revolute(lca_f, between(lca_f, lca_r)))?;
-    m.add_joint("uca_pivot", ground, uca, revolute(uca_f, between(uca_f, uca_r)))?;
+    m.add_joint("lca_pivot", chassis, lca, revolute(lca_f, between(lca_f, lca_r)))?;
+    m.add_joint("uca_pivot", chassis, uca, revolute(uca_f, between(uca_f, uca_r)))?;
     m.add_joint("lca_outer", lca, upright, JointKind::Spherical { at: lca_o })?;
     m.add_joint("uca_outer", uca, upright, JointKind::Spherical { at: uca_o })?;
     m.add_joint("tierod_outer", tierod, upright, JointKind::Spherical { at: tie_o })?;
@@ -73,11 +85,11 @@ pub fn double_wishbone(
     };
     m.add_joint("tierod_inner", rack, tierod, inner)?;
     let slide = JointKind::Translational { at: tie_i, axis: lateral };
-    m.add_joint("rack_housing", ground, rack, slide)?;
+    m.add_joint("rack_housing", chassis, rack, slide)?;
     let height = DriverKind::Height { at: wheel };
-    let travel = m.add_driver("travel", ground, upright, height)?;
+    let travel = m.add_driver("travel", BodyId::GROUND, upright, height)?;
     let displacement = DriverKind::Displacement { at: tie_i, along: lateral };
-    let steer = m.add_driver("rack_travel", ground, rack, displacement)?;
+    let steer = m.add_driver("rack_travel", chassis, rack, displacement)?;
     Ok(DoubleWishbone { mechanism: m, upright, wheel_center: wheel, travel, steer })
 }
 

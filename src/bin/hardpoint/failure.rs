@@ -5,7 +5,8 @@ use std::process::ExitCode;
 
 use hardpoint::model::ModelDiagnostics;
 use hardpoint::rig::RigError;
-use hardpoint::solve::Stop;
+use hardpoint::solve::dynamics::DynamicsFailure;
+use hardpoint::solve::{StaticFailure, Stop};
 use miette::GraphicalReportHandler;
 
 /// Why a command did not end well.
@@ -14,6 +15,10 @@ pub enum Failure {
     Model(ModelDiagnostics),
     /// The model makes no mechanism that moves.
     Rig(String, RigError),
+    /// There is no static equilibrium.
+    Static(String, StaticFailure),
+    /// The motion cannot go on.
+    Motion(String, DynamicsFailure),
     /// The mechanism stopped during an event.
     Stopped(Vec<Stop>, String),
     /// A file or pipe that cannot be written; says which.
@@ -43,6 +48,14 @@ impl Failure {
             Self::Rig(model, error) => {
                 eprintln!("error: {model}: {error}");
                 ExitCode::from(1)
+            }
+            Self::Static(model, failure) => {
+                eprintln!("error: {model}: {failure}");
+                ExitCode::from(3)
+            }
+            Self::Motion(model, failure) => {
+                eprintln!("error: {model}: {failure}");
+                ExitCode::from(3)
             }
             Self::Stopped(stops, rows) => {
                 for stop in stops {

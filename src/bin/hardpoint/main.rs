@@ -1,15 +1,19 @@
 //! The command line of hardpoint.
 
 mod check;
+mod equilibrium;
 mod failure;
+mod loads;
 mod output;
+mod progress;
+mod settle;
 mod sweep;
 
 use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use hardpoint::model::{Model, Side};
+use hardpoint::model::{Document, Side};
 
 use failure::Failure;
 use output::SideName;
@@ -30,27 +34,37 @@ Exit codes:
   0  done
   1  wrong input: the message says where and what to do
   2  wrong usage
-  3  the mechanism stopped before the end of the event; the states before it are written";
+  3  the mechanism stopped before the end of the event, or has no equilibrium; the states before it are written";
 
 #[derive(Subcommand)]
 enum Command {
     Check(check::Check),
+    Equilibrium(equilibrium::Equilibrium),
+    Settle(settle::Settle),
     Sweep(sweep::Sweep),
 }
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Check(command) => command.run(),
+        Command::Equilibrium(command) => command.run(),
+        Command::Settle(command) => command.run(),
         Command::Sweep(command) => command.run(),
     };
     done.map_or_else(Failure::report, |()| ExitCode::SUCCESS)
 }
 
-/// Loads a model and, where asked for, turns it into the other side.
-fn load(path: &Path, side: Option<SideName>) -> Result<Model, Failure> {
-    let model = Model::load(path)?;
-    Ok(match side {
-        Some(side) if Side::from(side) != model.side => model.mirrored(),
-        _ => model,
+/// Loads a file and, where asked for, turns a suspension into the other side.
+fn load(path: &Path, side: Option<SideName>) -> Result<Document, Failure> {
+    Ok(match (Document::load(path)?, side) {
+        (Document::Suspension(model), Some(side)) if Side::from(side) != model.side => {
+            Document::Suspension(model.mirrored())
+        }
+        (Document::Mechanism(_), Some(_)) => {
+            return Err(Failure::Usage(
+                "--side belongs to suspensions; this file is a mechanism".into(),
+            ));
+        }
+        (document, _) => document,
     })
 }

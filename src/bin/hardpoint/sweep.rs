@@ -1,17 +1,20 @@
 //! `hardpoint sweep`: an event, state by state.
 
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
-use hardpoint::model::{Drive, Setup};
+use hardpoint::mechanism::DriverId;
+use hardpoint::model::{
+    Axes, Chassis, Document, MechanismModel, Model, Quantity, Units, WheelSupport,
+};
 use hardpoint::report::SweepReport;
-use hardpoint::rig::{self, Corner, SweepPlan};
-use indicatif::{ProgressBar, ProgressDrawTarget};
+use hardpoint::rig::{self, Corner, Held, Specimen, Stand, SweepPlan};
 
 use crate::failure::Failure;
 use crate::load;
-use crate::output::{DriveName, Format, Output, SideName, axes_of_words};
+use crate::loads::{self, RigOptions};
+use crate::output::{Format, Output, SideName, axes_of_words};
+use crate::progress::Progress;
 
 /// More states than this are a mistake in the step.
 const MOST_STATES: f64 = 1e6;
@@ -19,44 +22,58 @@ const MOST_STATES: f64 = 1e6;
 /// No suspension travels farther (m).
 const FARTHEST: f64 = 1e3;
 
-/// Move the wheel through an event and list wheel and steer axis at every state.
+/// Move the wheel, the rack, a load or a driver through an event and list every state.
 ///
-/// All lengths are in the unit of the model, measured from the design position.
+/// Lengths, angles and forces are in the units of the model, measured from the design position. Where
+/// the model has forces, every state is one of static equilibrium, and the table has the wheel
+/// load, the wheel rate and what springs and bushings carry.
 #[derive(Args)]
 #[command(after_help = "\
 Signs: travel + jounce; rack + along the model's +y; toe + toe-in; camber + top outboard;
 caster + top rearward; kingpin inclination + top inboard; wheel rotation right-handed, as
-Rx(a) Ry(b) Rz(c) from the design position in the model's axes.
+Rx(a) Ry(b) Rz(c) from the design position in the model's axes; wheel load + up on the wheel.
 
 Examples:
   hardpoint sweep models/double-wishbone.toml
   hardpoint sweep models/lotus-front.toml --drive contact-patch --from -37.5 --to 37.5 --step 7.5
   hardpoint sweep models/adams-tr-front.toml --rack 5 --from -10 --to 10 --side right
-  hardpoint sweep models/double-wishbone.toml --event steer --travel 20 -o steer.csv")]
+  hardpoint sweep models/double-wishbone.toml --event steer --travel 20 -o steer.csv
+  hardpoint sweep models/quarter-car.toml --reactions -o forces.csv
+  hardpoint sweep models/bushed-double-wishbone.toml --event load --vary fx --from -2000 --to 2000 --step 500
+  hardpoint sweep models/four-bar.toml --driver crank --from 0 --to 360 --step 10")]
 pub struct Sweep {
-    /// The model file.
+    /// The model or mechanism file.
     model: PathBuf,
-    /// What moves: the wheel up and down, or the rack from side to side.
-    #[arg(long, value_enum, default_value = "travel")]
-    event: EventName,
-    /// First value [default: −130 mm of travel, −40 mm of the rack].
+    /// What changes: the travel of the wheel, the rack, or one component of the load on the wheel
+    /// [default: travel].
+    #[arg(long, value_enum)]
+    event: Option<EventName>,
+    /// The component that a load event changes: fx, fy, fz, mx, my or mz.
+    #[arg(long, value_name = "COMPONENT")]
+    vary: Option<String>,
+    /// The driver of a mechanism that moves [default: its only one].
+    #[arg(long, value_name = "NAME")]
+    driver: Option<String>,
+    /// First value [default: −130 mm of travel, −40 mm of the rack, −1000 N, −100 N·m].
     #[arg(long, allow_negative_numbers = true, value_name = "A")]
     from: Option<f64>,
-    /// Last value [default: 130 mm of travel, 40 mm of the rack].
+    /// Last value [default: 130 mm of travel, 40 mm of the rack, 1000 N, 100 N·m].
     #[arg(long, allow_negative_numbers = true, value_name = "B")]
     to: Option<f64>,
-    /// Distance of the states [default: 10 mm of travel, 5 mm of the rack].
+    /// Distance of the states [default: 10 mm of travel, 5 mm of the rack, a tenth of the load].
     #[arg(long, allow_negative_numbers = true, value_name = "S")]
     step: Option<f64>,
-    /// Rack displacement that a travel event holds [default: 0].
+    /// Rack displacement that is held [default: 0].
     #[arg(long, allow_negative_numbers = true, value_name = "R")]
     rack: Option<f64>,
-    /// Wheel travel that a steer event holds [default: 0].
+    /// Wheel travel that is held [default: 0; a load event leaves the wheel free, on its tyre].
     #[arg(long, allow_negative_numbers = true, value_name = "T")]
     travel: Option<f64>,
-    /// Which height is driven.
-    #[arg(long, value_enum, default_value = "wheel-center")]
-    drive: DriveName,
+    #[command(flatten)]
+    rig: RigOptions,
+    /// List the forces and moments of joints, too.
+    #[arg(long)]
+    reactions: bool,
     /// Look at this side of the vehicle; the other side is the mirror image of the model.
     #[arg(long)]
     side: Option<SideName>,
@@ -74,32 +91,142 @@ enum EventName {
     Travel,
     /// The rack moves from side to side.
     Steer,
+    /// One component of the load on the wheel grows.
+    Load,
+}
+
+fn usage<T>(message: impl Into<String>) -> Result<T, Failure> {
+    Err(Failure::Usage(message.into()))
 }
 
 impl Sweep {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
-        let model = load(&self.model, self.side)?;
+        let document = load(&self.model, self.side)?;
         let place = self.output.as_ref().and_then(|path| path.canonicalize().ok());
         if place.is_some() && place == self.model.canonicalize().ok() {
-            return Err(Failure::Usage("-o would overwrite the model; name another file".into()));
+            return usage("-o would overwrite the model; name another file");
         }
-        let drive = Drive::from(self.drive);
-        let mut corner = Corner::new(&model, &Setup::from(drive))
-            .map_err(|error| Failure::Rig(self.model.display().to_string(), error))?;
-        let plan = self.plan(|length| model.units.length.to_metres(length), corner.steers())?;
-        let progress = Progress::new(plan.values().len());
-        let sweep = rig::Sweep::run(&mut corner, &plan, |done| progress.show(done));
-        progress.clear();
-        for motion in &sweep.free_motions {
-            let axes = axes_of_words(model.axes, motion);
-            eprintln!(
-                "warning: no joint holds this motion of the wheel: {motion}{axes}; values that \
-                 depend on it are not determined by the model. Add a joint to the architecture"
+        match document {
+            Document::Suspension(model) => self.corner(&model),
+            Document::Mechanism(model) => self.mechanism(&model),
+        }
+    }
+
+    fn corner(&self, model: &Model) -> Result<(), Failure> {
+        if self.driver.is_some() {
+            return usage("--driver belongs to mechanism files; a suspension has --event");
+        }
+        let event = self.event.unwrap_or(EventName::Travel);
+        if self.vary.is_some() && event != EventName::Load {
+            return usage("--vary belongs to --event load");
+        }
+        if event == EventName::Load && !model.has_forces() {
+            return usage(
+                "a load moves nothing in a model without forces; add [[forces]] to the model",
             );
         }
+        let free = event == EventName::Load && self.travel.is_none();
+        let support = if free { WheelSupport::Free } else { WheelSupport::Held };
+        let setup = self.rig.setup(support, Chassis::Fixed);
+        let load = self.rig.load(model)?;
+        let mut corner = Corner::with_loads(model, &setup, self.rig.point())
+            .map_err(|error| Failure::Rig(self.model.display().to_string(), error))?;
+        let (quantity, mut plan, name) = self.plan(event, model.units, corner.steers())?;
+        plan.held.load = load;
+        let sweep = self.states(&mut corner, &plan, model.axes);
+        self.write(&SweepReport {
+            name: &model.name,
+            side: Some(model.side),
+            axes: model.axes,
+            units: model.units,
+            event: &name,
+            drive: Some(self.rig.drive()),
+            quantity,
+            plan: &plan,
+            sweep: &sweep,
+            reactions: self.reactions,
+        })
+    }
 
-        let report = SweepReport { model: &model, drive, plan: &plan, sweep: &sweep };
+    fn mechanism(&self, model: &MechanismModel) -> Result<(), Failure> {
+        let suspension = [
+            (self.event.is_some(), "--event"),
+            (self.vary.is_some(), "--vary"),
+            (self.rack.is_some(), "--rack"),
+            (self.travel.is_some(), "--travel"),
+        ];
+        if let Some((_, option)) = suspension.iter().find(|(given, _)| *given) {
+            return usage(format!("{option} belongs to suspensions; this file is a mechanism"));
+        }
+        let driver = self.driver_of(model)?;
+        let part = &model.mechanism.drivers()[driver.index()];
+        let quantity = if part.kind.unit() == "rad" { Quantity::Angle } else { Quantity::Length };
+        let name = part.name.clone();
+        let mut stand = Stand::new(model.mechanism.clone(), &[], Axes::Iso8855)
+            .map_err(|error| Failure::Rig(self.model.display().to_string(), error.into()))?;
+        let (Some(from), Some(to)) = (self.from, self.to) else {
+            return usage(format!(
+                "say the range of driver {name} in {} with --from and --to",
+                quantity.symbol(model.units)
+            ));
+        };
+        let step = self.step.unwrap_or((to - from) / 10.0);
+        let value = |value| quantity.to_si(model.units, value);
+        self.check_values(|length| model.units.length.to_metres(length))?;
+        let plan = SweepPlan {
+            event: rig::Event::Driver(driver),
+            from: value(from),
+            to: value(to),
+            step: value(step),
+            held: Held::default(),
+        };
+        check_states(&plan)?;
+        let sweep = self.states(&mut stand, &plan, Axes::Iso8855);
+        self.write(&SweepReport {
+            name: &model.name,
+            side: None,
+            axes: Axes::Iso8855,
+            units: model.units,
+            event: &name,
+            drive: None,
+            quantity,
+            plan: &plan,
+            sweep: &sweep,
+            reactions: self.reactions,
+        })
+    }
+
+    fn driver_of(&self, model: &MechanismModel) -> Result<DriverId, Failure> {
+        if let Some(name) = &self.driver {
+            let found = crate::equilibrium::released(std::slice::from_ref(name), model)?;
+            return Ok(found[0]);
+        }
+        let mut drivers = model.mechanism.driver_ids();
+        match (drivers.next(), drivers.next()) {
+            (Some(only), None) => Ok(only),
+            (None, _) => {
+                usage("the mechanism has no driver; add a [[drivers]] section to the file")
+            }
+            _ => usage("the mechanism has several drivers; name one with --driver"),
+        }
+    }
+
+    fn states(&self, specimen: &mut impl Specimen, plan: &SweepPlan, axes: Axes) -> rig::Sweep {
+        let progress = Progress::new(plan.values().len());
+        let sweep = rig::Sweep::run(specimen, plan, |done| progress.show(done));
+        progress.clear();
+        for motion in &sweep.free_motions {
+            let axes = axes_of_words(axes, motion);
+            eprintln!(
+                "warning: no joint holds this motion: {motion}{axes}; values that depend on it are not \
+                 determined by the model. Add a joint"
+            );
+        }
+        sweep
+    }
+
+    fn write(&self, report: &SweepReport) -> Result<(), Failure> {
         let named = self.output.as_deref().and_then(Format::of);
         let output = self.output.clone().map_or(Output::Stdout, Output::File);
         output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
@@ -107,18 +234,17 @@ impl Sweep {
             Format::Csv => report.write_csv(writer),
             Format::Json => report.write_json(writer),
         })?;
+        let sweep = report.sweep;
         if sweep.stops.is_empty() {
             return Ok(());
         }
         let words: String = sweep.stops.iter().map(ToString::to_string).collect();
-        let axes = axes_of_words(model.axes, &words);
+        let axes = axes_of_words(report.axes, &words);
         let rows = format!("{} of {} states were reached{axes}", sweep.rows.len(), sweep.planned);
-        Err(Failure::Stopped(sweep.stops, rows))
+        Err(Failure::Stopped(sweep.stops.clone(), rows))
     }
 
-    /// The states to visit, from lengths in the unit of the model.
-    fn plan(&self, metres: impl Fn(f64) -> f64, steers: bool) -> Result<SweepPlan, Failure> {
-        let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
+    fn check_values(&self, metres: impl Fn(f64) -> f64) -> Result<(), Failure> {
         let options = [
             ("--from", self.from),
             ("--to", self.to),
@@ -129,15 +255,35 @@ impl Sweep {
         for (name, value) in options {
             let Some(value) = value else { continue };
             if !value.is_finite() {
-                return usage(&format!("{name} is not a finite number"));
+                return usage(format!("{name} is not a finite number"));
             }
-            if name != "--step" && metres(value).abs() > FARTHEST {
-                return usage(&format!(
+            let is_length = match name {
+                "--step" => false,
+                "--from" | "--to" => self.event != Some(EventName::Load) && self.driver.is_none(),
+                _ => true,
+            };
+            if is_length && metres(value).abs() > FARTHEST {
+                return usage(format!(
                     "{name} is more than a kilometre; lengths are in the unit of the model"
                 ));
             }
         }
-        let (event, range, step, held) = match self.event {
+        Ok(())
+    }
+
+    /// The states of a corner to visit, what their values are, and the name of the event.
+    fn plan(
+        &self,
+        event: EventName,
+        units: Units,
+        steers: bool,
+    ) -> Result<(Quantity, SweepPlan, String), Failure> {
+        let metres = |length: f64| units.length.to_metres(length);
+        self.check_values(metres)?;
+        if self.rack.is_some_and(|rack| rack != 0.0) && !steers {
+            return usage("this suspension has no rack; leave out --rack");
+        }
+        let (event, quantity, range, step, name) = match event {
             EventName::Travel => {
                 if self.travel.is_some() {
                     return usage(
@@ -145,10 +291,7 @@ impl Sweep {
                                   and say the range of travel with --from and --to",
                     );
                 }
-                if self.rack.is_some_and(|rack| rack != 0.0) && !steers {
-                    return usage("this suspension has no rack; leave out --rack");
-                }
-                (rig::Event::Travel, 0.13, 0.01, self.rack)
+                (rig::Event::Travel, Quantity::Length, 0.13, 0.01, "travel".to_owned())
             }
             EventName::Steer => {
                 if self.rack.is_some() {
@@ -160,48 +303,50 @@ impl Sweep {
                 if !steers {
                     return usage("this suspension has no rack, so there is no steer event");
                 }
-                (rig::Event::Steer, 0.04, 0.005, self.travel)
+                (rig::Event::Steer, Quantity::Length, 0.04, 0.005, "steer".to_owned())
+            }
+            EventName::Load => {
+                let Some(name) = &self.vary else {
+                    return usage("say which component of the load changes, such as --vary fx");
+                };
+                let Some(component) = loads::component(name) else {
+                    return usage(format!(
+                        "there is no load component `{name}`; the choices are {}",
+                        rig::LOAD_COMPONENTS.join(", ")
+                    ));
+                };
+                let range = if component < 3 { 1000.0 } else { 100.0 };
+                let event = rig::Event::Load(component);
+                (event, loads::quantity(component), range, range / 10.0, format!("load {name}"))
             }
         };
-        let length = |value: Option<f64>, default: f64| value.map_or(default, &metres);
+        let value = |value: Option<f64>, default: f64| {
+            value.map_or(default, |value| quantity.to_si(units, value))
+        };
+        let length = |value: Option<f64>| value.map_or(0.0, metres);
         let plan = SweepPlan {
             event,
-            from: length(self.from, -range),
-            to: length(self.to, range),
-            step: length(self.step, step),
-            held: length(held, 0.0),
+            from: value(self.from, -range),
+            to: value(self.to, range),
+            step: value(self.step, step),
+            held: Held {
+                travel: length(self.travel),
+                rack: length(self.rack),
+                load: rig::Load::default(),
+            },
         };
-        let states = ((plan.to - plan.from) / plan.step).abs();
-        if plan.step == 0.0 {
-            return usage("--step is zero");
-        }
-        if states > MOST_STATES {
-            return usage("--step is too small for the range: at most 1,000,000 states");
-        }
-        Ok(plan)
+        check_states(&plan)?;
+        Ok((quantity, plan, name))
     }
 }
 
-/// A bar on the terminal for sweeps that take long; nothing where stderr is no terminal.
-struct Progress {
-    bar: ProgressBar,
-    start: Instant,
-}
-
-impl Progress {
-    fn new(states: usize) -> Self {
-        let bar = ProgressBar::with_draw_target(Some(states as u64), ProgressDrawTarget::hidden());
-        Self { bar, start: Instant::now() }
+fn check_states(plan: &SweepPlan) -> Result<(), Failure> {
+    let states = ((plan.to - plan.from) / plan.step).abs();
+    if plan.step == 0.0 && plan.from != plan.to {
+        return usage("--step is zero");
     }
-
-    fn show(&self, done: usize) {
-        if self.bar.is_hidden() && self.start.elapsed() > Duration::from_millis(500) {
-            self.bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
-        self.bar.set_position(done as u64);
+    if states > MOST_STATES {
+        return usage("--step is too small for the range: at most 1,000,000 states");
     }
-
-    fn clear(&self) {
-        self.bar.finish_and_clear();
-    }
+    Ok(())
 }

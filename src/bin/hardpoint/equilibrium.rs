@@ -1,0 +1,193 @@
+//! `hardpoint equilibrium`: where a model comes to rest, and what every joint carries.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use hardpoint::mechanism::DriverId;
+use hardpoint::model::{Axes, Chassis, Document, MechanismModel, Model, WheelSupport};
+use hardpoint::report::StaticsReport;
+use hardpoint::rig::{Corner, RigError, Stand};
+use hardpoint::solve::{StaticFailure, Stop};
+
+use crate::failure::Failure;
+use crate::load;
+use crate::loads::RigOptions;
+use crate::output::{Format, Output, SideName};
+
+/// Find the static equilibrium: pose, reactions of all joints, state of all springs and bushings.
+///
+/// A wheel with a tyre stands on the ground, one without hangs free; with --travel the rig holds it at
+/// a height. A quarter car sinks on its slide unless --fixed-chassis holds it.
+#[derive(Args)]
+#[command(after_help = "\
+Signs: forces of joints act on the second body, along the model's axes; springs + in tension;
+tyre load + up on the wheel; loads on the wheel along the model's axes.
+
+Examples:
+  hardpoint equilibrium models/quarter-car.toml
+  hardpoint equilibrium models/quarter-car.toml --fixed-chassis --travel 20
+  hardpoint equilibrium models/bushed-double-wishbone.toml --load fx=1000 --load mz=-100
+  hardpoint equilibrium models/bushed-double-wishbone.toml --kinematic --format json
+  hardpoint equilibrium models/anti-roll-bar.toml")]
+pub struct Equilibrium {
+    /// The model or mechanism file.
+    model: PathBuf,
+    /// Hold the wheel at this travel instead of standing it on its tyre.
+    #[arg(long, allow_negative_numbers = true, value_name = "T")]
+    travel: Option<f64>,
+    /// Rack displacement [default: 0].
+    #[arg(long, allow_negative_numbers = true, value_name = "R")]
+    rack: Option<f64>,
+    #[command(flatten)]
+    rig: RigOptions,
+    /// Hold the chassis of a quarter car.
+    #[arg(long)]
+    fixed_chassis: bool,
+    /// Let this driver of a mechanism go; may be given several times.
+    #[arg(long, value_name = "DRIVER")]
+    release: Vec<String>,
+    /// Look at this side of the vehicle; the other side is the mirror image of the model.
+    #[arg(long)]
+    side: Option<SideName>,
+    /// How to write the result [default: table, or what the ending of the file names].
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// Write to a file instead of the terminal.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+impl Equilibrium {
+    /// Runs the command.
+    pub fn run(&self) -> Result<(), Failure> {
+        match load(&self.model, self.side)? {
+            Document::Suspension(model) => self.suspension(&model),
+            Document::Mechanism(model) => self.mechanism(&model),
+        }
+    }
+
+    fn suspension(&self, model: &Model) -> Result<(), Failure> {
+        let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
+        if !model.has_forces() {
+            return usage(
+                "the model has no forces, so every position is an equilibrium; add [[forces]] to it, \
+                 or use `hardpoint sweep`",
+            );
+        }
+        if !self.release.is_empty() {
+            return usage("--release names drivers of a mechanism file; a suspension has none");
+        }
+        let free = self.travel.is_none();
+        let slides = free && model.is_quarter_car() && !self.fixed_chassis;
+        let support = if free { WheelSupport::Free } else { WheelSupport::Held };
+        let chassis = if slides { Chassis::Slide } else { Chassis::Fixed };
+        let metres = |value: Option<f64>, name: &str| match value {
+            Some(value) if !value.is_finite() => {
+                Err(Failure::Usage(format!("{name} is not a finite number")))
+            }
+            Some(value) => Ok(model.units.length.to_metres(value)),
+            None => Ok(0.0),
+        };
+        let (travel, rack) = (metres(self.travel, "--travel")?, metres(self.rack, "--rack")?);
+        let load = self.rig.load(model)?;
+        let setup = self.rig.setup(support, chassis);
+        let mut corner = Corner::with_loads(model, &setup, self.rig.point())
+            .map_err(|error| self.cannot_stand(error))?;
+        if rack != 0.0 && !corner.steers() {
+            return usage("this suspension has no rack; leave out --rack");
+        }
+        corner.set_load(&load);
+        if travel != 0.0 || rack != 0.0 {
+            corner.move_to(travel, rack).map_err(|stop| self.stopped(stop))?;
+        }
+        let found = corner.rest().map_err(|failure| self.fails(failure))?;
+        let pose = corner.pose();
+        let how = match (free, slides, model.has_tyre()) {
+            (true, true, _) => "quarter car on its tyre".to_owned(),
+            (true, false, true) => "chassis fixed, wheel on its tyre".to_owned(),
+            (true, false, false) => "chassis fixed, wheel free".to_owned(),
+            (false, ..) => {
+                let length = model.units.length;
+                let travel = length.from_metres(travel);
+                format!("wheel held at a travel of {travel} {}", length.symbol())
+            }
+        };
+        let title = format!(
+            "{}, {} side, {} axes, {how}",
+            model.name,
+            model.side.name(),
+            model.axes.name()
+        );
+        self.write(&StaticsReport {
+            title: &title,
+            axes: model.axes,
+            units: model.units,
+            equilibrium: corner.equilibrium(),
+            found: &found,
+            pose: Some(&pose),
+            elements: corner.element_channels(),
+        })
+    }
+
+    fn mechanism(&self, model: &MechanismModel) -> Result<(), Failure> {
+        if self.travel.is_some() || self.rack.is_some() {
+            return Err(Failure::Usage(
+                "--travel and --rack belong to suspensions; this file is a mechanism".into(),
+            ));
+        }
+        let released = released(&self.release, model)?;
+        let mut stand = Stand::new(model.mechanism.clone(), &released, Axes::Iso8855)
+            .map_err(|error| self.cannot_stand(error.into()))?;
+        let found = stand.rest().map_err(|failure| self.fails(failure))?;
+        self.write(&StaticsReport {
+            title: &model.name,
+            axes: Axes::Iso8855,
+            units: model.units,
+            equilibrium: stand.equilibrium(),
+            found: &found,
+            pose: None,
+            elements: stand.force_channels(),
+        })
+    }
+
+    fn write(&self, report: &StaticsReport) -> Result<(), Failure> {
+        let named = self.output.as_deref().and_then(Format::of);
+        let output = self.output.clone().map_or(Output::Stdout, Output::File);
+        match self.format.or(named).unwrap_or(Format::Table) {
+            Format::Table => output.write(|writer| report.write_text(writer)),
+            Format::Json => output.write(|writer| report.write_json(writer)),
+            Format::Csv => Err(Failure::Usage(
+                "an equilibrium is no table of one kind of rows; use --format json".into(),
+            )),
+        }
+    }
+
+    fn cannot_stand(&self, error: RigError) -> Failure {
+        Failure::Rig(self.model.display().to_string(), error)
+    }
+
+    fn stopped(&self, stop: Stop) -> Failure {
+        Failure::Stopped(vec![stop], "no equilibrium was found".into())
+    }
+
+    fn fails(&self, failure: StaticFailure) -> Failure {
+        Failure::Static(self.model.display().to_string(), failure)
+    }
+}
+
+/// The drivers of these names.
+pub fn released(names: &[String], model: &MechanismModel) -> Result<Vec<DriverId>, Failure> {
+    let driver = |name: &String| {
+        model.mechanism.driver_named(name).ok_or_else(|| {
+            let drivers: Vec<&str> =
+                model.mechanism.drivers().iter().map(|driver| driver.name.as_str()).collect();
+            let known = if drivers.is_empty() {
+                "the mechanism has none".to_owned()
+            } else {
+                format!("the drivers are {}", drivers.join(", "))
+            };
+            Failure::Usage(format!("there is no driver `{name}`; {known}"))
+        })
+    };
+    names.iter().map(driver).collect()
+}

@@ -1,0 +1,94 @@
+//! Options that say how a corner stands on the rig.
+
+use clap::{Args, ValueEnum};
+use hardpoint::model::{Chassis, Drive, Model, Quantity, Setup, WheelSupport};
+use hardpoint::rig::{LOAD_COMPONENTS, Load, LoadPoint};
+
+use crate::failure::Failure;
+use crate::output::DriveName;
+
+/// How a corner stands on the rig and what loads its wheel.
+#[derive(Args)]
+pub struct RigOptions {
+    /// Which height a travel means.
+    #[arg(long, value_enum, default_value = "wheel-center")]
+    drive: DriveName,
+    /// Swap bushings back for the rigid joints that they replace.
+    #[arg(long)]
+    kinematic: bool,
+    /// Load on the wheel, such as fx=1000 or mz=-50: fx, fy, fz, mx, my, mz along and about the axes of
+    /// the model, in its units; may be given several times.
+    #[arg(long = "load", value_name = "COMPONENT=VALUE", allow_hyphen_values = true)]
+    loads: Vec<String>,
+    /// Where --load acts on the wheel's body.
+    #[arg(long, value_enum, default_value = "contact-patch")]
+    at: LoadPointName,
+}
+
+/// Where a load acts.
+#[derive(Clone, Copy, ValueEnum)]
+enum LoadPointName {
+    /// The point of the wheel's body that is the contact patch at design.
+    ContactPatch,
+    /// The wheel centre.
+    WheelCenter,
+}
+
+impl RigOptions {
+    /// The drive.
+    pub fn drive(&self) -> Drive {
+        self.drive.into()
+    }
+
+    /// Where loads act.
+    pub fn point(&self) -> LoadPoint {
+        match self.at {
+            LoadPointName::ContactPatch => LoadPoint::ContactPatch,
+            LoadPointName::WheelCenter => LoadPoint::WheelCenter,
+        }
+    }
+
+    /// The setup for a wheel that is held or stands on its tyre.
+    pub fn setup(&self, support: WheelSupport, chassis: Chassis) -> Setup {
+        Setup { drive: self.drive(), support, chassis, kinematic: self.kinematic }
+    }
+
+    /// The load on the wheel (SI).
+    pub fn load(&self, model: &Model) -> Result<Load, Failure> {
+        let mut load = Load::default();
+        for text in &self.loads {
+            let wrong = || {
+                Failure::Usage(format!(
+                    "--load {text} is not understood; write a component ({}) and a number, such as fx=1000",
+                    LOAD_COMPONENTS.join(", ")
+                ))
+            };
+            let (name, value) = text.split_once('=').ok_or_else(wrong)?;
+            let component = component(name).ok_or_else(wrong)?;
+            let value: f64 = value.trim().parse().map_err(|_| wrong())?;
+            if !value.is_finite() {
+                return Err(wrong());
+            }
+            load.components[component] += quantity(component).to_si(model.units, value);
+        }
+        if !self.loads.is_empty() && !model.has_forces() {
+            return Err(Failure::Usage(
+                "a load moves nothing in a model without forces; add springs or a tyre to the model, \
+                 or leave out --load"
+                    .into(),
+            ));
+        }
+        Ok(load)
+    }
+}
+
+/// The component of a name.
+pub fn component(name: &str) -> Option<usize> {
+    let name = name.trim().to_ascii_lowercase();
+    LOAD_COMPONENTS.iter().position(|component| *component == name)
+}
+
+/// What a component is measured in.
+pub fn quantity(component: usize) -> Quantity {
+    if component < 3 { Quantity::Force } else { Quantity::Torque }
+}

@@ -1,0 +1,295 @@
+//! `hardpoint settle`: let a model come to rest, and compare with its equilibrium.
+
+use std::fs;
+use std::path::PathBuf;
+
+use clap::Args;
+use hardpoint::factors::FACTORS;
+use hardpoint::mechanism::DriverId;
+use hardpoint::model::{
+    Axes, Chassis, Document, MechanismModel, Model, Quantity, Units, WheelSupport,
+};
+use hardpoint::report::{SettleReport, SettleRow};
+use hardpoint::rig::{Channel, Corner, RigError, Stand};
+use hardpoint::solve::dynamics::{
+    Dynamics, DynamicsFailure, Integrator, SettlePlan, Start, StepSize, Trajectory,
+};
+use hardpoint::solve::{StaticFailure, StaticReport};
+
+use crate::equilibrium::released;
+use crate::failure::Failure;
+use crate::load;
+use crate::loads::RigOptions;
+use crate::output::{Format, Output, SideName};
+
+/// More samples than this are a mistake in the interval.
+const MOST_SAMPLES: f64 = 1e6;
+
+/// Integrate the motion from the design position and compare its end with the equilibrium.
+///
+/// A quarter car falls from the design position onto its tyre and its spring; a mechanism starts with the
+/// velocities of its file. The table has A, the end of the motion, B, the quasi-static equilibrium, and
+/// B − A. The motion is integrated by the generalised-α method, with adaptive steps or one of a
+/// given length.
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  hardpoint settle models/quarter-car.toml --seconds 5
+  hardpoint settle models/quarter-car.toml --step 0.0005 -o motion.csv
+  hardpoint settle models/quarter-car.toml --fixed-chassis --load fz=500
+  hardpoint settle models/squeezer.toml --seconds 0.03 --step 1e-5")]
+pub struct Settle {
+    /// The model or mechanism file.
+    model: PathBuf,
+    /// How long the motion is followed (s).
+    #[arg(long, default_value_t = 5.0, value_name = "S")]
+    seconds: f64,
+    /// Length of all steps (s) [default: as long as --tolerance allows].
+    #[arg(long, value_name = "S")]
+    step: Option<f64>,
+    /// Local error of a step, relative to the size of the mechanism.
+    #[arg(long, default_value_t = 1e-8, value_name = "E", conflicts_with = "step")]
+    tolerance: f64,
+    /// Numerical damping of the method: its spectral radius at infinity, 0 to 1.
+    #[arg(long, default_value_t = 0.8, value_name = "R")]
+    spectral_radius: f64,
+    /// Write the motion to this CSV file.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Time between the lines of the CSV file (s).
+    #[arg(long, default_value_t = 0.01, value_name = "S")]
+    interval: f64,
+    #[command(flatten)]
+    rig: RigOptions,
+    /// Hold the chassis of a quarter car.
+    #[arg(long)]
+    fixed_chassis: bool,
+    /// Let this driver of a mechanism go; may be given several times.
+    #[arg(long, value_name = "DRIVER")]
+    release: Vec<String>,
+    /// Look at this side of the vehicle; the other side is the mirror image of the model.
+    #[arg(long)]
+    side: Option<SideName>,
+    /// How to write the table: table or json.
+    #[arg(long, value_enum, default_value = "table")]
+    format: Format,
+}
+
+/// What the columns of a motion are.
+struct Recorder<'a> {
+    units: Units,
+    axes: Axes,
+    corner: Option<&'a Corner>,
+    channels: &'a [Channel],
+}
+
+impl Settle {
+    /// Runs the command.
+    pub fn run(&self) -> Result<(), Failure> {
+        if self.format == Format::Csv {
+            return Err(Failure::Usage(
+                "the table is no CSV; write the motion to a CSV file with -o".into(),
+            ));
+        }
+        let samples = self.seconds / self.interval;
+        if !(samples.is_finite() && samples >= 0.0 && self.interval > 0.0) {
+            return Err(Failure::Usage("--seconds and --interval have to be above zero".into()));
+        }
+        if samples > MOST_SAMPLES {
+            return Err(Failure::Usage("--interval is too short: at most 1,000,000 lines".into()));
+        }
+        if let Some(output) = &self.output
+            && fs::canonicalize(output)
+                .ok()
+                .is_some_and(|o| fs::canonicalize(&self.model).ok() == Some(o))
+        {
+            return Err(Failure::Usage("-o would overwrite the model; name another file".into()));
+        }
+        match load(&self.model, self.side)? {
+            Document::Suspension(model) => self.suspension(&model),
+            Document::Mechanism(model) => self.mechanism(&model),
+        }
+    }
+
+    fn suspension(&self, model: &Model) -> Result<(), Failure> {
+        if !self.release.is_empty() {
+            return Err(Failure::Usage(
+                "--release names drivers of a mechanism file; a suspension has none".into(),
+            ));
+        }
+        let slides = model.is_quarter_car() && !self.fixed_chassis;
+        let chassis = if slides { Chassis::Slide } else { Chassis::Fixed };
+        let setup = self.rig.setup(WheelSupport::Free, chassis);
+        let load = self.rig.load(model)?;
+        let mut corner = Corner::with_loads(model, &setup, self.rig.point())
+            .map_err(|error| self.cannot_stand(error))?;
+        corner.set_load(&load);
+        let travel = corner.suspension().travel;
+        let equilibrium = corner.rest();
+        let mut dynamics = self.dynamics(corner.stand(), &[travel])?;
+        let trajectory = {
+            let channels = corner.element_channels();
+            let (units, axes) = (model.units, model.axes);
+            let recorder = Recorder { units, axes, corner: Some(&corner), channels };
+            self.integrate(&mut dynamics, &recorder)?
+        };
+        let end = corner.pose_at(dynamics.state());
+        let rest = corner.pose_at(corner.equilibrium().state());
+        let shown = FACTORS.iter().filter(|factor| {
+            let input = ["travel", "rack"].contains(&factor.name);
+            !input && matches!(factor.quantity, Quantity::Length | Quantity::Angle)
+        });
+        let rows: Vec<SettleRow> = shown
+            .filter_map(|factor| {
+                Some(SettleRow {
+                    title: factor.title.to_owned(),
+                    quantity: factor.quantity,
+                    dynamic: (factor.value)(&end)?,
+                    quasi_static: equilibrium.is_ok().then(|| (factor.value)(&rest)).flatten(),
+                })
+            })
+            .collect();
+        let title =
+            format!("{}, {} side, {} axes", model.name, model.side.name(), model.axes.name());
+        self.tell(&title, model.units, &dynamics, &rows, equilibrium, trajectory)
+    }
+
+    fn mechanism(&self, model: &MechanismModel) -> Result<(), Failure> {
+        let released = released(&self.release, model)?;
+        let mut stand = Stand::new(model.mechanism.clone(), &released, Axes::Iso8855)
+            .map_err(|error| self.cannot_stand(error.into()))?;
+        let equilibrium = stand.rest();
+        let mut dynamics = self.dynamics(&stand, &released)?;
+        let (units, axes) = (model.units, Axes::Iso8855);
+        let channels: Vec<Channel> = [stand.body_channels(), stand.force_channels()].concat();
+        let recorder = Recorder { units, axes, corner: None, channels: &channels };
+        let trajectory = self.integrate(&mut dynamics, &recorder)?;
+        let (end, rest) = (dynamics.loaded(), stand.equilibrium().loaded());
+        let row = |channel: &Channel| SettleRow {
+            title: channel.title.clone(),
+            quantity: channel.quantity,
+            dynamic: channel.value(&end, &[], axes),
+            quasi_static: equilibrium.is_ok().then(|| channel.value(&rest, &[], axes)),
+        };
+        let rows: Vec<SettleRow> = stand.body_channels().iter().map(row).collect();
+        self.tell(&model.name, model.units, &dynamics, &rows, equilibrium, trajectory)
+    }
+
+    fn dynamics(&self, stand: &Stand, released: &[DriverId]) -> Result<Dynamics, Failure> {
+        let step = match self.step {
+            Some(step) => StepSize::Fixed(step),
+            None => StepSize::Adaptive { tolerance: self.tolerance, largest: 0.02 },
+        };
+        let integrator = Integrator { spectral_radius: self.spectral_radius, step };
+        // Loads on the wheel are part of the laws.
+        let laws = Some(stand.equilibrium().elements().laws());
+        let start = Start { released, laws, ..Start::default() };
+        Dynamics::new(stand.system(), &start, integrator).map_err(|failure| self.fails(failure))
+    }
+
+    /// Follows the motion; returns the lines of the CSV file.
+    fn integrate(
+        &self,
+        dynamics: &mut Dynamics,
+        recorder: &Recorder,
+    ) -> Result<Trajectory<Vec<f64>>, Failure> {
+        let plan = SettlePlan { until: self.seconds, interval: self.interval, rest: None };
+        let trajectory = dynamics.settle(&plan, |dynamics| recorder.sample(dynamics));
+        let trajectory = trajectory.map_err(|failure| self.fails(failure))?;
+        if let Some(path) = &self.output {
+            Output::File(path.clone()).write(|writer| {
+                let mut csv = csv::Writer::from_writer(writer);
+                csv.write_record(recorder.header())?;
+                for (time, values) in &trajectory.samples {
+                    let numbers = std::iter::once(time).chain(values);
+                    csv.write_record(numbers.map(f64::to_string))?;
+                }
+                csv.flush()
+            })?;
+        }
+        Ok(trajectory)
+    }
+
+    fn tell(
+        &self,
+        title: &str,
+        units: Units,
+        dynamics: &Dynamics,
+        rows: &[SettleRow],
+        equilibrium: Result<StaticReport, StaticFailure>,
+        trajectory: Trajectory<Vec<f64>>,
+    ) -> Result<(), Failure> {
+        let failure = equilibrium.as_ref().err().map(ToString::to_string);
+        let report = SettleReport {
+            title,
+            units,
+            seconds: dynamics.time(),
+            rows,
+            motion: dynamics.report(),
+            energy: dynamics.energy(),
+            speed: dynamics.largest_speed(),
+            start: dynamics.start(),
+            equilibrium: match (&equilibrium, &failure) {
+                (Ok(found), _) => Ok(found),
+                (Err(_), failure) => Err(failure.as_deref().unwrap_or_default()),
+            },
+        };
+        Output::Stdout.write(|writer| match self.format {
+            Format::Json => report.write_json(writer),
+            _ => report.write_text(writer),
+        })?;
+        match trajectory.stop {
+            Some(stop) => Err(self.fails(stop)),
+            None => Ok(()),
+        }
+    }
+
+    fn cannot_stand(&self, error: RigError) -> Failure {
+        Failure::Rig(self.model.display().to_string(), error)
+    }
+
+    fn fails(&self, failure: DynamicsFailure) -> Failure {
+        Failure::Motion(self.model.display().to_string(), failure)
+    }
+}
+
+impl Recorder<'_> {
+    fn header(&self) -> Vec<String> {
+        let mut header = vec!["time_s".to_owned()];
+        if self.corner.is_some() {
+            header.extend(kinematic().map(|factor| factor.column(self.units)));
+        }
+        let channel =
+            |channel: &Channel| format!("{}_{}", channel.name, channel.quantity.symbol(self.units));
+        header.extend(self.channels.iter().map(channel));
+        header.extend(
+            ["kinetic_energy_J", "potential_energy_J", "work_J", "energy_drift_J"]
+                .map(String::from),
+        );
+        header
+    }
+
+    fn sample(&self, dynamics: &Dynamics) -> Vec<f64> {
+        let mut values = vec![];
+        if let Some(corner) = self.corner {
+            let pose = corner.pose_at(dynamics.state());
+            let value = |factor: &'static hardpoint::factors::Factor| {
+                factor.show(self.units, &pose).unwrap_or(f64::NAN)
+            };
+            values.extend(kinematic().map(value));
+        }
+        let loaded = dynamics.loaded();
+        let value = |channel: &Channel| {
+            channel.quantity.show(self.units, channel.value(&loaded, &[], self.axes))
+        };
+        values.extend(self.channels.iter().map(value));
+        let energy = dynamics.energy();
+        values.extend([energy.kinetic, energy.potential, energy.work, energy.drift]);
+        values
+    }
+}
+
+/// The factors that a moving wheel has.
+fn kinematic() -> impl Iterator<Item = &'static hardpoint::factors::Factor> {
+    FACTORS.iter().filter(|f| matches!(f.quantity, Quantity::Length | Quantity::Angle))
+}

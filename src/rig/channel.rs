@@ -1,0 +1,239 @@
+//! What force elements and joints carry, number by number.
+
+use crate::kernels::RelationKind;
+use crate::mechanism::{BodyId, DriverId, Expansion, ForceId, ForceKind, Mechanism, Owner};
+use crate::model::{Axes, Quantity};
+use crate::solve::{Loaded, Reaction, rotation};
+use crate::vector::rotation_angles;
+
+/// One number that a force element or a joint has at every state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Channel {
+    /// The name of its column, without the unit.
+    pub name: String,
+    /// What it is, in words.
+    pub title: String,
+    /// Its kind.
+    pub quantity: Quantity,
+    /// What a positive value means.
+    pub sign: &'static str,
+    source: Source,
+    force: Option<ForceId>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Source {
+    /// Φ of a force element times a factor, plus a parameter where it is a length.
+    Value { value: usize, factor: f64, reference: Option<usize> },
+    /// A coordinate of a body's origin, from the origin of the axes.
+    BodyPosition { body: BodyId, axis: usize },
+    /// An angle of a body's rotation from design.
+    BodyRotation { body: BodyId, axis: usize },
+    /// λ of a constraint times a factor.
+    Driver { equation: usize },
+    /// λ of a force element times a factor.
+    Force { value: usize, factor: f64 },
+    /// A component of the force of a joint on its body *j*.
+    JointForce { joint: usize, axis: usize },
+    /// A component of the moment of a joint on its body *j*.
+    JointMoment { joint: usize, axis: usize },
+}
+
+const XYZ: [&str; 3] = ["x", "y", "z"];
+
+impl Channel {
+    /// The force element that it belongs to.
+    pub fn force(&self) -> Option<ForceId> {
+        self.force
+    }
+
+    /// The value (SI). Components of joints are in the given axes, those of bushings in their own.
+    pub fn value(&self, loaded: &Loaded<'_>, reactions: &[Reaction], axes: Axes) -> f64 {
+        let elements = loaded.elements;
+        match self.source {
+            Source::Value { value, factor, reference } => {
+                factor * elements.values()[value] + reference.map_or(0.0, |slot| loaded.h[slot])
+            }
+            Source::Force { value, factor } => factor * elements.responses()[value].force,
+            Source::BodyPosition { body, axis } => {
+                let q = &loaded.state[body.index()];
+                axes.from_iso([q[0], q[1], q[2]])[axis]
+            }
+            Source::BodyRotation { body, axis } => {
+                let turned = axes.rotation_from_iso(rotation(loaded.state, body));
+                rotation_angles(turned)[axis]
+            }
+            Source::Driver { equation } => -loaded.lambda[equation],
+            Source::JointForce { joint, axis } => axes.from_iso(reactions[joint].on_j.force)[axis],
+            Source::JointMoment { joint, axis } => {
+                axes.from_iso(reactions[joint].on_j.moment)[axis]
+            }
+        }
+    }
+}
+
+/// The channels of all force elements, in their order.
+pub fn element_channels(mechanism: &Mechanism, expansion: &Expansion) -> Vec<Channel> {
+    let mut channels = vec![];
+    for element in expansion.elements() {
+        let Owner::Force(id) = element.instance.owner else { continue };
+        let force = &mechanism.forces()[id.index()];
+        let first = element.instance.equations.start;
+        let reference = element.instance.parameters.end - 1;
+        let mut add = |end: &str, title: &str, quantity, sign, source| {
+            channels.push(Channel {
+                name: format!("{}_{end}", force.name),
+                title: format!("{}, {title}", force.name),
+                quantity,
+                sign,
+                source,
+                force: Some(id),
+            });
+        };
+        let value = |value, factor, reference| Source::Value { value, factor, reference };
+        let law = |value, factor| Source::Force { value, factor };
+        match &force.kind {
+            ForceKind::Line { .. } => {
+                let length = value(first, 1.0, Some(reference));
+                add("length", "length", Quantity::Length, "distance of its ends", length);
+                add("force", "force", Quantity::Force, "+ tension", law(first, 1.0));
+            }
+            ForceKind::Torsion { .. } => {
+                let sign = "+ body j turned right-handed from design";
+                add("angle", "angle", Quantity::Angle, sign, value(first, 1.0, None));
+                let sign = "+ turns body j back, against the angle";
+                add("torque", "torque", Quantity::Torque, sign, law(first, 1.0));
+            }
+            ForceKind::Tyre { .. } => {
+                let deflection = value(first, -1.0, None);
+                add("deflection", "deflection", Quantity::Length, "+ compressed", deflection);
+                add(
+                    "load",
+                    "vertical load",
+                    Quantity::Force,
+                    "+ up on the wheel",
+                    law(first, -1.0),
+                );
+            }
+            ForceKind::Bushing(_) => {
+                let turns = element.instance.kind != RelationKind::BushingTranslation;
+                for (axis, letter) in XYZ.into_iter().enumerate() {
+                    let (before, length, force) = if turns {
+                        ("r", Quantity::Angle, Quantity::Torque)
+                    } else {
+                        ("", Quantity::Length, Quantity::Force)
+                    };
+                    let what = if turns { "rotation about" } else { "displacement along" };
+                    add(
+                        &format!("{before}{letter}"),
+                        &format!("{what} {letter} of its axes"),
+                        length,
+                        "+ of body j from body i",
+                        value(first + axis, 1.0, None),
+                    );
+                    let (before, what) =
+                        if turns { ("m", "moment about") } else { ("f", "force along") };
+                    add(
+                        &format!("{before}{letter}"),
+                        &format!("{what} {letter} of its axes"),
+                        force,
+                        "+ on body j",
+                        law(first + axis, -1.0),
+                    );
+                }
+            }
+            ForceKind::PointForce { .. } => {
+                let sign = "+ along its direction";
+                add("force", "size", Quantity::Force, sign, law(first, -1.0));
+            }
+            ForceKind::Moment { .. } => {
+                let sign = "+ right-handed about its direction";
+                add("moment", "size", Quantity::Torque, sign, law(first, -1.0));
+            }
+        }
+    }
+    channels
+}
+
+/// The channels of all moving bodies: position of the origin and rotation from design.
+pub fn body_channels(mechanism: &Mechanism) -> Vec<Channel> {
+    let mut channels = vec![];
+    for body in mechanism.body_ids().skip(1) {
+        let name = &mechanism.bodies()[body.index()].name;
+        for (axis, letter) in XYZ.into_iter().enumerate() {
+            channels.push(Channel {
+                name: format!("{name}_{letter}"),
+                title: format!("{name}, origin along {letter}"),
+                quantity: Quantity::Length,
+                sign: "+ along the axis",
+                source: Source::BodyPosition { body, axis },
+                force: None,
+            });
+        }
+        for (axis, letter) in XYZ.into_iter().enumerate() {
+            channels.push(Channel {
+                name: format!("{name}_rot_{letter}"),
+                title: format!("{name}, rotation about {letter}, Rx(a) Ry(b) Rz(c) from design"),
+                quantity: Quantity::Angle,
+                sign: "+ right-handed",
+                source: Source::BodyRotation { body, axis },
+                force: None,
+            });
+        }
+    }
+    channels
+}
+
+/// The force or moment that holds each driver that is not released.
+pub fn driver_channels(
+    mechanism: &Mechanism,
+    expansion: &Expansion,
+    released: &[DriverId],
+) -> Vec<Channel> {
+    let drivers = mechanism.driver_ids().filter(|driver| !released.contains(driver));
+    let channel = |driver: DriverId| {
+        let part = &mechanism.drivers()[driver.index()];
+        let turns = part.kind.unit() == "rad";
+        let (end, quantity) =
+            if turns { ("torque", Quantity::Torque) } else { ("force", Quantity::Force) };
+        let equation = expansion.equations_of(Owner::Driver(driver)).next()?;
+        Some(Channel {
+            name: format!("{}_{end}", part.name),
+            title: format!("{}, {end} that holds it", part.name),
+            quantity,
+            sign: "+ in the sense of its value",
+            source: Source::Driver { equation },
+            force: None,
+        })
+    };
+    drivers.filter_map(channel).collect()
+}
+
+/// The channels of all joints, in their order: force, then moment on body *j*.
+pub fn joint_channels(mechanism: &Mechanism) -> Vec<Channel> {
+    let mut channels = vec![];
+    for (joint, part) in mechanism.joints().iter().enumerate() {
+        let body = &mechanism.bodies()[part.j.index()].name;
+        for (axis, letter) in XYZ.into_iter().enumerate() {
+            channels.push(Channel {
+                name: format!("{}_f{letter}", part.name),
+                title: format!("{}, force on {body} along {letter}", part.name),
+                quantity: Quantity::Force,
+                sign: "+ along the model's axis",
+                source: Source::JointForce { joint, axis },
+                force: None,
+            });
+        }
+        for (axis, letter) in XYZ.into_iter().enumerate() {
+            channels.push(Channel {
+                name: format!("{}_m{letter}", part.name),
+                title: format!("{}, moment on {body} about {letter}", part.name),
+                quantity: Quantity::Torque,
+                sign: "+ right-handed about the model's axis",
+                source: Source::JointMoment { joint, axis },
+                force: None,
+            });
+        }
+    }
+    channels
+}

@@ -1,0 +1,95 @@
+//! Loads that the rig puts on a wheel.
+
+use crate::mechanism::Owner;
+use crate::mechanism::{BodyId, ForceId, ForceKind, Law, LoadFrame, MechanismError};
+use crate::model::{Axes, Suspension};
+use crate::solve::equilibrium::Equilibrium;
+use crate::vector::{add, scale, sub, unit};
+
+/// Where a load acts on the wheel's body.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LoadPoint {
+    /// The point of the wheel's body that is the contact patch at the design position.
+    #[default]
+    ContactPatch,
+    /// The wheel centre.
+    WheelCenter,
+}
+
+impl LoadPoint {
+    /// The name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ContactPatch => "contact-patch",
+            Self::WheelCenter => "wheel-center",
+        }
+    }
+}
+
+/// Force (N) along and moment (N·m) about the axes of the model; both keep their direction.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Load {
+    /// Fx, Fy, Fz, Mx, My, Mz.
+    pub components: [f64; 6],
+}
+
+/// The names of the components of a load.
+pub const LOAD_COMPONENTS: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
+
+/// The force elements by which the rig loads a wheel.
+#[derive(Clone, Debug)]
+pub(super) struct WheelLoads {
+    forces: [ForceId; 6],
+}
+
+impl WheelLoads {
+    /// Adds the elements, all without force, to a suspension.
+    pub(super) fn add(
+        suspension: &mut Suspension,
+        point: LoadPoint,
+        axes: Axes,
+    ) -> Result<Self, MechanismError> {
+        let wheel = suspension.wheel;
+        let mechanism = &mut suspension.mechanism;
+        let at = match point {
+            LoadPoint::WheelCenter => wheel.center,
+            LoadPoint::ContactPatch => {
+                let center = mechanism.points()[wheel.center.index()].position;
+                let spin = wheel.spin_axis;
+                let down = unit(sub(scale(spin[2], spin), [0.0, 0.0, 1.0]));
+                let patch = add(center, scale(wheel.radius, down));
+                mechanism.add_point("contact_patch_at_design", patch)?
+            }
+        };
+        let mut forces = vec![];
+        for (component, name) in LOAD_COMPONENTS.into_iter().enumerate() {
+            let mut direction = [0.0; 3];
+            direction[component % 3] = 1.0;
+            let (direction, frame, size) = (axes.to_iso(direction), LoadFrame::Space, 0.0);
+            let kind = if component < 3 {
+                ForceKind::PointForce { at, frame, direction, size }
+            } else {
+                ForceKind::Moment { frame, direction, size }
+            };
+            let name = format!("load_{name}");
+            forces.push(mechanism.add_force(&name, BodyId::GROUND, wheel.body, kind)?);
+        }
+        let forces = forces.try_into().expect("there are six components");
+        Ok(Self { forces })
+    }
+
+    /// Sets all components.
+    pub(super) fn set(&self, equilibrium: &mut Equilibrium, load: &Load) {
+        for (force, size) in self.forces.iter().zip(load.components) {
+            let values: Vec<usize> = equilibrium
+                .elements()
+                .owners()
+                .filter(|(owner, _)| *owner == Owner::Force(*force))
+                .flat_map(|(_, values)| values)
+                .collect();
+            for value in values {
+                equilibrium.elements_mut().laws_mut()[value] = Law::constant(-size);
+            }
+        }
+    }
+}

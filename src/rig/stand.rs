@@ -1,0 +1,246 @@
+//! A mechanism on the rig: moved by its drivers, loaded by its forces.
+
+use super::channel::{Channel, body_channels, driver_channels, element_channels, joint_channels};
+use super::corner::RigError;
+use super::pose::Pose;
+use super::sweep::{Event, Specimen, SweepPlan};
+use crate::mechanism::{DriverId, Mechanism};
+use crate::model::Axes;
+use crate::relation::Coordinates;
+use crate::solve::equilibrium::Equilibrium;
+use crate::solve::{
+    FreedomReport, StaticFailure, StaticReport, StepReport, Stop, System, Tolerances,
+};
+
+/// A mechanism with its state.
+///
+/// Where joints and drivers determine the position, it follows the drivers, and forces only say what
+/// the joints carry. Otherwise, and where drivers are released, every state is one of static equilibrium.
+pub struct Stand {
+    system: System,
+    equilibrium: Equilibrium,
+    released: Vec<DriverId>,
+    /// Whether there are force elements.
+    loaded: bool,
+    /// Whether joints and drivers alone determine the position.
+    rigid: bool,
+    /// Whether the state is one of equilibrium.
+    found: bool,
+    axes: Axes,
+    elements: Vec<Channel>,
+    joints: Vec<Channel>,
+}
+
+impl Stand {
+    /// Puts a mechanism on the rig at its design position, with some of its drivers taken away.
+    /// Components are shown in the given axes.
+    ///
+    /// # Errors
+    /// [`RigError`] where nothing can move or a driver cannot.
+    pub fn new(mechanism: Mechanism, released: &[DriverId], axes: Axes) -> Result<Self, RigError> {
+        let system = System::new(mechanism)?;
+        let expansion = system.expansion();
+        let bodies = body_channels(system.mechanism());
+        let drivers = driver_channels(system.mechanism(), expansion, released);
+        let elements = element_channels(system.mechanism(), expansion);
+        Ok(Self {
+            equilibrium: Equilibrium::released(&system, released),
+            released: released.to_vec(),
+            loaded: !expansion.elements().is_empty(),
+            rigid: released.is_empty() && system.freedom().free_motions.is_empty(),
+            found: false,
+            axes,
+            elements: [bodies, drivers, elements].concat(),
+            joints: joint_channels(system.mechanism()),
+            system,
+        })
+    }
+
+    /// Degrees of freedom, redundant equations and free motions.
+    pub fn freedom(&self) -> &FreedomReport {
+        self.system.freedom()
+    }
+
+    /// The mechanism.
+    pub fn mechanism(&self) -> &Mechanism {
+        self.system.mechanism()
+    }
+
+    /// The mechanism as a system that its drivers move.
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+
+    /// The equilibrium.
+    pub fn equilibrium(&self) -> &Equilibrium {
+        &self.equilibrium
+    }
+
+    /// The equilibrium, to change loads; the next state is sought anew.
+    pub fn equilibrium_mut(&mut self) -> &mut Equilibrium {
+        self.found = false;
+        &mut self.equilibrium
+    }
+
+    /// Whether the mechanism has force elements.
+    pub fn is_loaded(&self) -> bool {
+        self.loaded
+    }
+
+    /// Whether the state is one of static equilibrium under the forces.
+    pub fn is_in_equilibrium(&self) -> bool {
+        self.found
+    }
+
+    /// Coordinates of all bodies, the ground first.
+    pub fn state(&self) -> &[Coordinates<f64>] {
+        self.equilibrium.state()
+    }
+
+    /// The value (m or rad, from the design position) of a driver.
+    pub fn driver_value(&self, driver: DriverId) -> f64 {
+        self.equilibrium.driver_value(driver)
+    }
+
+    /// How the force (N) or moment (N·m) that holds a driver grows with its value, −dλ/dv;
+    /// `None` where the equilibrium is not isolated.
+    pub fn driver_rate(&mut self, driver: DriverId) -> Option<f64> {
+        let equation = self.equilibrium.equation_of(driver);
+        let tangent = self.equilibrium.driver_tangent(driver).ok()?;
+        Some(-tangent.multiplier(equation))
+    }
+
+    /// The channels of bodies alone: positions and rotations.
+    pub fn body_channels(&self) -> &[Channel] {
+        &self.elements[..6 * (self.mechanism().bodies().len() - 1)]
+    }
+
+    /// The channels of force elements alone.
+    pub fn force_channels(&self) -> &[Channel] {
+        let first = self.elements.iter().position(|channel| channel.force().is_some());
+        &self.elements[first.unwrap_or(self.elements.len())..]
+    }
+
+    /// Moves drivers to values (m or rad, from the design position).
+    ///
+    /// # Errors
+    /// [`Stop`] where the mechanism cannot go on or has no equilibrium. It then stays where it got to.
+    pub fn move_to(&mut self, targets: &[(DriverId, f64)]) -> Result<StepReport, Stop> {
+        if self.rigid || !self.loaded { self.move_rigidly(targets) } else { self.follow(targets) }
+    }
+
+    /// Lets the mechanism find its equilibrium with the drivers where they are.
+    ///
+    /// # Errors
+    /// [`StaticFailure`] where there is none.
+    pub fn rest(&mut self) -> Result<StaticReport, StaticFailure> {
+        self.found = false;
+        let report = self.equilibrium.find()?;
+        self.found = true;
+        Ok(report)
+    }
+
+    /// Returns to the design position. Laws that were changed stay as they are.
+    pub fn reset(&mut self) {
+        self.system.reset();
+        let laws = self.equilibrium.elements().laws().to_vec();
+        self.equilibrium = Equilibrium::released(&self.system, &self.released);
+        self.equilibrium.elements_mut().laws_mut().clone_from_slice(&laws);
+        self.found = false;
+    }
+
+    /// Moves joints, which alone determine the position, then finds what they carry.
+    fn move_rigidly(&mut self, targets: &[(DriverId, f64)]) -> Result<StepReport, Stop> {
+        let mut report = self.system.move_to(targets)?;
+        self.equilibrium.state_mut().copy_from_slice(self.system.state());
+        for driver in self.system.mechanism().driver_ids() {
+            self.equilibrium.set_driver(driver, self.system.driver_value(driver));
+        }
+        if !self.loaded {
+            return Ok(report);
+        }
+        let outcome = self.equilibrium.solve(&Tolerances::default());
+        report.iterations += outcome.iterations;
+        report.relative_residual = report.relative_residual.max(outcome.relative_residual);
+        self.found = outcome.converged();
+        if self.found {
+            self.equilibrium.elements_mut().accept();
+            return Ok(report);
+        }
+        match self.rest() {
+            Ok(_) => Ok(report),
+            Err(failure) => Err(Stop::no_equilibrium(self.system.mechanism(), failure, &[])),
+        }
+    }
+
+    /// Follows the equilibrium of a compliant mechanism.
+    fn follow(&mut self, targets: &[(DriverId, f64)]) -> Result<StepReport, Stop> {
+        match self.try_follow(targets) {
+            Ok(report) => Ok(report),
+            Err(failure) => {
+                let way = |&(driver, target)| (driver, self.driver_value(driver), target);
+                let ways: Vec<_> = targets.iter().map(way).collect();
+                Err(Stop::no_equilibrium(self.system.mechanism(), failure, &ways))
+            }
+        }
+    }
+
+    fn try_follow(&mut self, targets: &[(DriverId, f64)]) -> Result<StepReport, StaticFailure> {
+        let mut sum = StepReport::default();
+        let mut add = |report: StaticReport| {
+            sum.iterations += report.iterations;
+            sum.steps += report.load_steps;
+            sum.relative_residual = report.relative_residual;
+        };
+        if !self.found {
+            add(self.rest()?);
+        }
+        let held = |&&(driver, value): &&(DriverId, f64)| {
+            !self.released.contains(&driver) && self.driver_value(driver) != value
+        };
+        let targets: Vec<(DriverId, f64)> = targets.iter().filter(held).copied().collect();
+        if !targets.is_empty() {
+            add(self.equilibrium.move_to(&targets)?);
+        }
+        Ok(sum)
+    }
+}
+
+impl Specimen for Stand {
+    fn go_to(&mut self, plan: &SweepPlan, value: f64) -> Result<StepReport, Stop> {
+        match plan.event {
+            Event::Driver(driver) => self.move_to(&[(driver, value)]),
+            // Travel, rack and wheel loads belong to corners.
+            Event::Travel | Event::Steer | Event::Load(_) => Ok(StepReport::default()),
+        }
+    }
+
+    fn reset(&mut self) {
+        Self::reset(self);
+    }
+
+    fn pose(&mut self) -> Option<Pose<f64>> {
+        None
+    }
+
+    fn element_channels(&self) -> &[Channel] {
+        &self.elements
+    }
+
+    fn joint_channels(&self) -> &[Channel] {
+        if self.loaded { &self.joints } else { &[] }
+    }
+
+    fn channel_values(&self) -> Vec<f64> {
+        let (loaded, reactions) = (self.equilibrium.loaded(), self.equilibrium.reactions());
+        let channels = self.elements.iter().chain(self.joint_channels());
+        channels.map(|channel| channel.value(&loaded, &reactions, self.axes)).collect()
+    }
+
+    fn free_motions(&self) -> Vec<String> {
+        if self.loaded {
+            return vec![];
+        }
+        self.freedom().free_motions.iter().map(|motion| motion.description.clone()).collect()
+    }
+}
