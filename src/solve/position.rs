@@ -14,7 +14,7 @@ use crate::vector::norm;
 
 enum Matrix {
     Determinate(Jacobian),
-    LeastChange { kkt: Kkt, diagonal: Vec<f64> },
+    LeastChange { kkt: Box<Kkt>, diagonal: Vec<f64> },
 }
 
 /// What makes metres and Euler parameters comparable.
@@ -77,7 +77,7 @@ impl Position {
             Matrix::Determinate(Jacobian::new(terms, &numbering))
         } else {
             Matrix::LeastChange {
-                kkt: Kkt::new(terms, &numbering),
+                kkt: Box::new(Kkt::new(terms, &numbering)),
                 diagonal: (0..unknowns)
                     .map(|unknown| scales.coordinate(unknown).powi(-2))
                     .collect(),
