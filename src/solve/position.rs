@@ -13,7 +13,7 @@ use crate::relation::{BODY_COORDINATES, Coordinates};
 use crate::vector::norm;
 
 enum Matrix {
-    Determinate(Jacobian),
+    Determinate(Box<Jacobian>),
     LeastChange { kkt: Box<Kkt>, diagonal: Vec<f64> },
 }
 
@@ -74,7 +74,7 @@ impl Position {
     ) -> Self {
         let unknowns = numbering.unknowns();
         let matrix = if numbering.kept().len() == unknowns {
-            Matrix::Determinate(Jacobian::new(terms, &numbering))
+            Matrix::Determinate(Box::new(Jacobian::new(terms, &numbering)))
         } else {
             Matrix::LeastChange {
                 kkt: Box::new(Kkt::new(terms, &numbering)),
