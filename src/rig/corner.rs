@@ -7,7 +7,7 @@ use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::{Axle, Pose, Wheel, WheelLoad};
 use super::stand::Stand;
 use super::sweep::{Event, Specimen, SweepPlan};
-use crate::mechanism::{BodyId, MechanismError, PointId};
+use crate::mechanism::{BodyId, Force, MechanismError, PointId};
 use crate::model::{Axes, Model, Setup, Side, Suspension, SuspensionError, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
@@ -41,6 +41,7 @@ pub struct Corner {
     stand: Stand,
     loads: Option<WheelLoads>,
     load: Load,
+    own_forces: usize,
     elements: Vec<Channel>,
     side: Side,
     axes: Axes,
@@ -77,7 +78,7 @@ impl Corner {
             .filter(|channel| channel.force().is_some_and(|force| force.index() < own_forces));
         let (side, axes) = (model.side, model.axes);
         let (elements, load) = (elements.collect(), Load::default());
-        Ok(Self { suspension, setup: *setup, stand, loads, load, elements, side, axes })
+        Ok(Self { suspension, setup: *setup, stand, loads, load, own_forces, elements, side, axes })
     }
 
     /// Degrees of freedom, redundant equations and free motions.
@@ -112,6 +113,11 @@ impl Corner {
     /// The mechanism on the rig.
     pub fn stand(&self) -> &Stand {
         &self.stand
+    }
+
+    /// The force elements of the model, without the loads that the rig puts on the wheel.
+    pub fn forces(&self) -> &[Force] {
+        &self.stand.mechanism().forces()[..self.own_forces]
     }
 
     /// Whether the suspension has a rack.

@@ -137,7 +137,7 @@ impl Equilibrium {
         }
         let released = released(&self.release, model)?;
         let mut stand = Stand::new(model.mechanism.clone(), &released, Axes::Iso8855)
-            .map_err(|error| self.cannot_stand(error.into()))?;
+            .map_err(|error| self.cannot_stand(error))?;
         let found = stand.rest().map_err(|failure| self.fails(failure))?;
         self.write(&StaticsReport {
             title: &model.name,
@@ -163,7 +163,7 @@ impl Equilibrium {
     }
 
     fn cannot_stand(&self, error: RigError) -> Failure {
-        Failure::Rig(self.model.display().to_string(), error)
+        Failure::Rig(self.model.display().to_string(), Box::new(error))
     }
 
     fn stopped(&self, stop: Stop) -> Failure {

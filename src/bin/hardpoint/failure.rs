@@ -14,7 +14,7 @@ pub enum Failure {
     /// The model file has mistakes.
     Model(ModelDiagnostics),
     /// The model makes no mechanism that moves.
-    Rig(String, RigError),
+    Rig(String, Box<RigError>),
     /// There is no static equilibrium.
     Static(String, StaticFailure),
     /// The motion cannot go on.

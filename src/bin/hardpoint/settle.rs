@@ -151,13 +151,13 @@ impl Settle {
             .collect();
         let title =
             format!("{}, {} side, {} axes", model.name, model.side.name(), model.axes.name());
-        self.tell(&title, model.units, &dynamics, &rows, equilibrium, trajectory)
+        self.tell(&title, model.units, &dynamics, &rows, &equilibrium, trajectory)
     }
 
     fn mechanism(&self, model: &MechanismModel) -> Result<(), Failure> {
         let released = released(&self.release, model)?;
         let mut stand = Stand::new(model.mechanism.clone(), &released, Axes::Iso8855)
-            .map_err(|error| self.cannot_stand(error.into()))?;
+            .map_err(|error| self.cannot_stand(error))?;
         let equilibrium = stand.rest();
         let mut dynamics = self.dynamics(&stand, &released)?;
         let (units, axes) = (model.units, Axes::Iso8855);
@@ -172,7 +172,7 @@ impl Settle {
             quasi_static: equilibrium.is_ok().then(|| channel.value(&rest, &[], axes)),
         };
         let rows: Vec<SettleRow> = stand.body_channels().iter().map(row).collect();
-        self.tell(&model.name, model.units, &dynamics, &rows, equilibrium, trajectory)
+        self.tell(&model.name, model.units, &dynamics, &rows, &equilibrium, trajectory)
     }
 
     fn dynamics(&self, stand: &Stand, released: &[DriverId]) -> Result<Dynamics, Failure> {
@@ -216,7 +216,7 @@ impl Settle {
         units: Units,
         dynamics: &Dynamics,
         rows: &[SettleRow],
-        equilibrium: Result<StaticReport, StaticFailure>,
+        equilibrium: &Result<StaticReport, StaticFailure>,
         trajectory: Trajectory<Vec<f64>>,
     ) -> Result<(), Failure> {
         let failure = equilibrium.as_ref().err().map(ToString::to_string);
@@ -229,7 +229,7 @@ impl Settle {
             energy: dynamics.energy(),
             speed: dynamics.largest_speed(),
             start: dynamics.start(),
-            equilibrium: match (&equilibrium, &failure) {
+            equilibrium: match (equilibrium, &failure) {
                 (Ok(found), _) => Ok(found),
                 (Err(_), failure) => Err(failure.as_deref().unwrap_or_default()),
             },
@@ -245,7 +245,7 @@ impl Settle {
     }
 
     fn cannot_stand(&self, error: RigError) -> Failure {
-        Failure::Rig(self.model.display().to_string(), error)
+        Failure::Rig(self.model.display().to_string(), Box::new(error))
     }
 
     fn fails(&self, failure: DynamicsFailure) -> Failure {
