@@ -21,6 +21,7 @@ mod force;
 mod labels;
 mod law;
 mod recipe;
+mod renumber;
 mod spline;
 mod topology;
 

@@ -1,6 +1,6 @@
 //! What acts on a suspension: force elements, bushings, masses, the tyre.
 
-use crate::mechanism::{BodyId, Force, Law, MassProperties};
+use crate::mechanism::{BodyId, Force, Law, MassProperties, PointId};
 
 pub use super::parts::TyreContact;
 
@@ -26,6 +26,20 @@ pub struct JointBushing {
     pub force: Force,
 }
 
+/// Half of an anti-roll bar: an arm that turns on the chassis about a line along y, and a drop link. A
+/// torsion spring joins the arms of both sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AntiRollBar {
+    /// Torque by the angle between the two arms (N·m/rad).
+    pub stiffness: f64,
+    /// A point on the axis of the bar.
+    pub pivot: PointId,
+    /// The ends of the drop link: on the arm, on the body that carries it.
+    pub link: [PointId; 2],
+    /// The body that carries the drop link, by its number in the architecture.
+    pub(crate) link_body: BodyId,
+}
+
 /// What acts on a suspension, in SI units and ISO 8855 axes. Bodies and points have the
 /// numbers of the architecture and the model, so forces follow points that move.
 #[derive(Clone, Debug, Default)]
@@ -39,6 +53,7 @@ pub(crate) struct Loads {
     pub(crate) tyre: Option<Tyre>,
     pub(crate) forces: Vec<Force>,
     pub(crate) bushings: Vec<JointBushing>,
+    pub(crate) anti_roll_bar: Option<AntiRollBar>,
 }
 
 impl Loads {

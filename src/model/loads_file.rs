@@ -1,4 +1,5 @@
-//! Reads what acts on a suspension: `[bodies]`, `[quarter_car]`, `[tyre]`, `[[forces]]`, `[bushings]`.
+//! Reads what acts on a suspension: `[bodies]`, `[quarter_car]`, `[tyre]`, `[[forces]]`, `[bushings]`,
+//! `[anti_roll_bar]`.
 
 use std::ops::Range;
 
@@ -6,7 +7,7 @@ use toml::Spanned;
 
 use super::architecture::Architecture;
 use super::diagnostics::Report;
-use super::loads::{JointBushing, Loads, Tyre};
+use super::loads::{AntiRollBar, JointBushing, Loads, Tyre};
 use super::parts::{Parts, TyreFile, gravity};
 use super::quantity::Quantity;
 use super::read::{Section, as_section};
@@ -21,6 +22,7 @@ pub(super) struct LoadsFile {
     tyre: Option<(Range<usize>, TyreFile)>,
     forces: Vec<(Range<usize>, Force)>,
     bushings: Vec<(Range<usize>, JointBushing)>,
+    anti_roll_bar: Option<AntiRollBar>,
 }
 
 /// Where the loads stand in the text, in the order of [`Loads`].
@@ -47,7 +49,8 @@ impl LoadsFile {
         let forces = parts.forces(root, false, report).into_iter();
         let forces = forces.filter_map(|(name, force)| Some((name.span(), force?))).collect();
         let bushings = bushings(root, parts, joints, report);
-        Self { gravity, sprung_mass, masses, tyre, forces, bushings }
+        let anti_roll_bar = anti_roll_bar(root, parts, report);
+        Self { gravity, sprung_mass, masses, tyre, forces, bushings, anti_roll_bar }
     }
 
     /// The loads without their places. `radius` is that of the wheel (m).
@@ -69,6 +72,7 @@ impl LoadsFile {
             tyre,
             forces: self.forces.iter().map(|(_, force)| force.clone()).collect(),
             bushings: self.bushings.iter().map(|(_, bushing)| bushing.clone()).collect(),
+            anti_roll_bar: self.anti_roll_bar,
         }
     }
 
@@ -140,6 +144,33 @@ fn tyre(
     let span = section.span();
     section.finish(report);
     Some((span, tyre?))
+}
+
+fn anti_roll_bar(root: &mut Section, parts: &Parts, report: &mut Report) -> Option<AntiRollBar> {
+    let help =
+        "write a section `[anti_roll_bar]` with `stiffness`, `pivot`, `link` and `link_body`";
+    let mut section = root.optional_section("anti_roll_bar", help, report)?;
+    let help = "write the torque by the angle between the arms: `stiffness = 8000.0`, or 0.0 for a bar that is cut";
+    let quantity = Quantity::RotationalStiffness;
+    let stiffness = parts.number(&mut section, "stiffness", quantity, help, report);
+    let help = "name a point on the axis of the bar: `pivot = \"arb_pivot\"`";
+    let pivot = parts.point(&mut section, "pivot", help, report);
+    let help = "name the ends of the drop link, that on the arm first: `link = [\"arb_arm_end\", \"arb_link_lower\"]`";
+    let link = parts.two_points(&mut section, "link", help, report);
+    let help = "name the body that carries the drop link: `link_body = \"lca\"`";
+    let body = section.required::<String>("link_body", help, report);
+    section.finish(report);
+    let help = "name a moving body; on the chassis the bar would do nothing";
+    let link_body = body.and_then(|body| parts.names.moving_body(&body, help, report));
+    let stiffness = stiffness?;
+    if *stiffness.get_ref() < 0.0 {
+        report
+            .mistake(&stiffness.span(), "the stiffness of the bar is below zero", "negative")
+            .help("write 0.0 for a bar that is cut");
+        return None;
+    }
+    let stiffness = stiffness.into_inner();
+    Some(AntiRollBar { stiffness, pivot: pivot?, link: link?, link_body: link_body? })
 }
 
 fn bushings(

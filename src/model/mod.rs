@@ -5,6 +5,7 @@
 mod alignment;
 mod architecture;
 mod axes;
+mod axle;
 mod checks;
 mod diagnostics;
 mod file;
@@ -27,9 +28,10 @@ mod units_file;
 pub use alignment::Alignment;
 pub use architecture::{Architecture, BodyRole, PointRole, SteerAxis};
 pub use axes::{Axes, Side};
+pub use axle::{AxleSide, AxleSuspension};
 pub use diagnostics::{Mistake, ModelDiagnostics};
 pub use load::Document;
-pub use loads::{JointBushing, Tyre, TyreContact};
+pub use loads::{AntiRollBar, JointBushing, Tyre, TyreContact};
 pub use mechanism_file::MechanismModel;
 pub use quantity::Quantity;
 pub use setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
@@ -140,6 +142,11 @@ impl Model {
     /// The tyre.
     pub fn tyre(&self) -> Option<&Tyre> {
         self.loads.tyre.as_ref()
+    }
+
+    /// The anti-roll bar, which acts where both sides make an axle.
+    pub fn anti_roll_bar(&self) -> Option<&AntiRollBar> {
+        self.loads.anti_roll_bar.as_ref()
     }
 
     /// Mass (kg) of the chassis on its slide.

@@ -77,6 +77,22 @@ pub enum SuspensionError {
          `[quarter_car]` with `sprung_mass`, or fix the chassis"
     )]
     NoQuarterCar(String),
+    /// [`Chassis::Slide`] of an axle.
+    #[error("the chassis of an axle does not slide; fix it, or look at one side alone")]
+    AxleSlides,
+    /// Two models that are not the sides of one axle.
+    #[error(
+        "`{left}` and `{right}` are not the two sides of one axle: {difference}; give both sides one \
+         architecture, or let one be the mirror image of the other"
+    )]
+    SidesDiffer {
+        /// The model of the left side.
+        left: String,
+        /// The model of the right side.
+        right: String,
+        /// What differs.
+        difference: String,
+    },
 }
 
 impl From<MechanismError> for SuspensionError {

@@ -47,6 +47,17 @@ pub struct Wheel {
     pub radius: f64,
 }
 
+impl Drive {
+    /// The driver that prescribes the height of a wheel.
+    pub(super) fn of(self, wheel: &Wheel) -> DriverKind {
+        let Wheel { center, spin, radius, .. } = *wheel;
+        match self {
+            Self::WheelCenter => DriverKind::Height { at: center },
+            Self::ContactPatch => DriverKind::PatchHeight { center, spin, radius },
+        }
+    }
+}
+
 /// The numbers of bodies in the mechanism: with the chassis on a slide, the road is the ground
 /// and every body of the architecture stands one further on.
 #[derive(Clone, Copy)]
@@ -98,14 +109,7 @@ impl Model {
             spin_axis: self.spin_axis(),
             radius: self.wheel_radius,
         };
-        let kind = match setup.drive {
-            Drive::WheelCenter => DriverKind::Height { at: wheel.center },
-            Drive::ContactPatch => DriverKind::PatchHeight {
-                center: wheel.center,
-                spin: wheel.spin,
-                radius: wheel.radius,
-            },
-        };
+        let kind = setup.drive.of(&wheel);
         let travel = mechanism.add_driver("travel", BodyId::GROUND, wheel.body, kind)?;
         let tyre = match (setup.support, self.tyre_force()) {
             (WheelSupport::Held, _) => None,
@@ -186,7 +190,7 @@ impl Model {
 
     /// The mean of the points at which a body is held. It is a constant of the
     /// mechanism: it does not follow when a point moves.
-    fn body_origin(&self, body: BodyId) -> [f64; 3] {
+    pub(super) fn body_origin(&self, body: BodyId) -> [f64; 3] {
         let mut points = self.architecture.joint_points(body);
         if body == self.architecture.wheel.body {
             points.push(self.architecture.wheel.center);
@@ -201,21 +205,31 @@ impl Model {
         mechanism: &mut Mechanism,
         numbers: Numbering,
     ) -> Result<Option<DriverId>, MechanismError> {
-        let Some(index) = self.architecture.rack else {
+        let Some((rack, at)) = self.rack() else {
             return Ok(None);
         };
-        let joint = &self.architecture.joints[index];
-        let JointKind::Translational { at, .. } = joint.kind else {
-            return Ok(None);
-        };
-        let along = Direction::Fixed(self.axes.to_iso([0.0, 1.0, 0.0]));
+        let along = self.rack_direction();
         let kind = DriverKind::Displacement { at, along };
-        let (i, j) = (numbers.body(joint.i), numbers.body(joint.j));
+        let (i, j) = (numbers.body(BodyId::GROUND), numbers.body(rack));
         mechanism.add_driver("rack", i, j, kind).map(Some)
     }
 
+    /// The body of the rack, which slides on the ground of the architecture, and its point.
+    pub(super) fn rack(&self) -> Option<(BodyId, PointId)> {
+        let joint = &self.architecture.joints[self.architecture.rack?];
+        match joint.kind {
+            JointKind::Translational { at, .. } => Some((joint.j, at)),
+            _ => None,
+        }
+    }
+
+    /// The direction in which the displacement of the rack is positive.
+    pub(super) fn rack_direction(&self) -> Direction {
+        Direction::Fixed(self.axes.to_iso([0.0, 1.0, 0.0]))
+    }
+
     /// The spin axis as the mechanism knows it: it follows the points that define it.
-    fn spin_direction(&self) -> Direction {
+    pub(super) fn spin_direction(&self) -> Direction {
         let SpinAxis::Point(name) = &self.spin else {
             return Direction::Fixed(self.spin_axis());
         };

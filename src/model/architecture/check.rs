@@ -17,6 +17,7 @@ pub(super) fn check(architecture: &Architecture, places: &Places, report: &mut R
     bodies_hang_on_the_ground(architecture, places.bodies, report);
     points_are_used(architecture, places.points, report);
     steer_axis_is_held(architecture, &places.steer_axis, report);
+    rack_is_shared(architecture, places.bodies, report);
 }
 
 /// Every body must be joined to the ground, directly or through other bodies.
@@ -51,6 +52,21 @@ fn bodies_hang_on_the_ground(
             .mistake(span, message, "would float away")
             .help("add the joint that is missing, or remove the body");
     }
+}
+
+/// One rack steers both wheels.
+fn rack_is_shared(architecture: &Architecture, spans: &[Range<usize>], report: &mut Report) {
+    let Some(rack) = architecture.rack.map(|joint| architecture.joints[joint].j) else {
+        return;
+    };
+    if architecture.is_shared(rack) {
+        return;
+    }
+    let name = architecture.body_name(rack);
+    let message = format!("steering moves the body `{name}`, but each side would have its own");
+    report
+        .mistake(&spans[rack.0 - 1], message, "the rack")
+        .help(format!("write `{name} = {{ meaning = \"…\", shared = true }}`"));
 }
 
 fn points_are_used(architecture: &Architecture, spans: &[Range<usize>], report: &mut Report) {

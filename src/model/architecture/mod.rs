@@ -50,6 +50,8 @@ pub struct BodyRole {
     pub name: String,
     /// What the body is on a real suspension.
     pub meaning: String,
+    /// Whether both sides of an axle have it together, such as the rack.
+    pub shared: bool,
 }
 
 /// Which body carries the wheel.
@@ -139,6 +141,11 @@ impl Architecture {
             0 => &self.ground,
             moving => &self.bodies[moving - 1].name,
         }
+    }
+
+    /// Whether an axle has the body once; the ground is one of those.
+    pub(crate) fn is_shared(&self, body: BodyId) -> bool {
+        body == BodyId::GROUND || self.bodies[body.0 - 1].shared
     }
 
     /// The points at which joints hold a body, each once. A line that the body

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use toml::Spanned;
+use toml::de::DeValue;
 
 use super::{Architecture, BodyRole, PointRole, SteerAxis, WheelRole, check};
 use crate::mechanism::{BodyId, Joint, JointKind, PointId};
@@ -98,16 +99,16 @@ fn roles(root: &mut Section, ground: String, report: &mut Report) -> Roles {
     if let Some(section) = root.section("bodies", help, report) {
         for (name, value) in section.entries() {
             check_name(&name, report);
-            let meaning = String::read(value, &format!("`{}`", name.get_ref()), report);
+            let Some((meaning, shared)) = meaning(&name, value, BODY_HELP, "shared", report) else {
+                continue;
+            };
             if *name.get_ref() == roles.ground {
                 report
                     .mistake(&name.span(), "the ground is listed as a moving body", "the ground")
                     .help("remove this line");
             }
             roles.body_spans.push(name.span());
-            roles
-                .bodies
-                .push(BodyRole { name: name.into_inner(), meaning: meaning.unwrap_or_default() });
+            roles.bodies.push(BodyRole { name: name.into_inner(), meaning, shared });
         }
         section.not_empty(help, report);
     }
@@ -129,32 +130,38 @@ impl Roles {
 }
 
 const POINT_HELP: &str = "say what the point is: `meaning = \"…\"`";
+const BODY_HELP: &str = "say what the body is: `meaning = \"…\"`";
 
-/// A point is its meaning, or a table `{ meaning = "…", may_cross = true }`.
 fn points(section: &Section, report: &mut Report) -> Vec<(Spanned<String>, PointRole)> {
     let mut points = vec![];
     for (name, value) in section.entries() {
         check_name(&name, report);
-        let what = format!("`{}`", name.get_ref());
-        let (meaning, may_cross) = if value.get_ref().is_table() {
-            let Some(mut table) = as_section(value, what, POINT_HELP, report) else {
-                continue;
-            };
-            let meaning = table.required::<String>("meaning", POINT_HELP, report);
-            let may_cross = table.optional::<bool>("may_cross", report);
-            table.finish(report);
-            (meaning.map(Spanned::into_inner), may_cross.is_some_and(Spanned::into_inner))
-        } else {
-            (String::read(value, &what, report), false)
-        };
-        let role = PointRole {
-            name: name.get_ref().clone(),
-            meaning: meaning.unwrap_or_default(),
-            may_cross,
-        };
-        points.push((name, role));
+        if let Some((meaning, may_cross)) = meaning(&name, value, POINT_HELP, "may_cross", report) {
+            points.push((name.clone(), PointRole { name: name.into_inner(), meaning, may_cross }));
+        }
     }
     points
+}
+
+/// What a point or a body is: its meaning, or a table such as `{ meaning = "…", may_cross = true }`
+/// with the word that it may have.
+fn meaning(
+    name: &Spanned<String>,
+    value: &Spanned<DeValue>,
+    help: &str,
+    word: &'static str,
+    report: &mut Report,
+) -> Option<(String, bool)> {
+    let what = format!("`{}`", name.get_ref());
+    if !value.get_ref().is_table() {
+        return Some((String::read(value, &what, report).unwrap_or_default(), false));
+    }
+    let mut table = as_section(value, what, help, report)?;
+    let meaning = table.required::<String>("meaning", help, report);
+    let word = table.optional::<bool>(word, report);
+    table.finish(report);
+    let meaning = meaning.map(Spanned::into_inner).unwrap_or_default();
+    Some((meaning, word.is_some_and(Spanned::into_inner)))
 }
 
 fn wheel(root: &mut Section, names: &Names, report: &mut Report) -> Option<WheelRole> {

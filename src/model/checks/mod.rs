@@ -1,5 +1,6 @@
 //! Checks that the geometry of a model has a meaning.
 
+mod anti_roll_bar;
 mod axes;
 mod degenerate;
 mod loads;
@@ -47,6 +48,7 @@ pub(super) fn check(geometry: &Geometry, report: &mut Report) {
     geometry.check_steer_axis(report);
     geometry.check_spin_axis(report);
     geometry.check_loads(report);
+    geometry.check_anti_roll_bar(report);
 }
 
 impl Geometry<'_> {

@@ -41,7 +41,7 @@ impl Parts<'_> {
     }
 
     /// The point of `at` or another key.
-    pub(super) fn point(
+    pub(crate) fn point(
         &self,
         section: &mut Section,
         key: &'static str,
@@ -71,7 +71,7 @@ impl Parts<'_> {
     }
 
     /// Two different points.
-    pub(super) fn two_points(
+    pub(crate) fn two_points(
         &self,
         section: &mut Section,
         key: &'static str,
