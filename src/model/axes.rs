@@ -88,6 +88,14 @@ impl Side {
         }
     }
 
+    /// Its place where values stand as left, right.
+    pub const fn index(self) -> usize {
+        match self {
+            Self::Left => 0,
+            Self::Right => 1,
+        }
+    }
+
     /// The other side.
     pub const fn other(self) -> Self {
         match self {

@@ -5,7 +5,7 @@ use std::io;
 use serde_json::{Map, Value, json};
 
 use super::SweepReport;
-use crate::model::{Drive, Side};
+use crate::model::Drive;
 
 impl SweepReport<'_> {
     /// Writes one object to 15 significant digits. A value that a state does not have is null.
@@ -53,7 +53,11 @@ impl SweepReport<'_> {
         let stops: Vec<String> = self.sweep.stops.iter().map(ToString::to_string).collect();
         json!({
             "model": self.name,
-            "side": self.side.map(Side::name),
+            "side": match self.sides {
+                [] => None,
+                [side] => Some(side.name()),
+                _ => Some("both"),
+            },
             "axes": self.axes.name(),
             "event": self.event,
             "drive": self.drive.map(Drive::name),

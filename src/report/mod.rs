@@ -11,20 +11,20 @@ pub use statics::StaticsReport;
 
 use crate::factors::{FACTORS, Factor};
 use crate::model::{Axes, Drive, Quantity, Side, Units};
-use crate::rig::{Event, Row, Sweep, SweepPlan};
+use crate::rig::{Event, Pose, Row, Sweep, SweepPlan};
 
 /// A sweep and all that is needed to show it.
 #[derive(Clone, Copy)]
 pub struct SweepReport<'a> {
     /// Name of the model.
     pub name: &'a str,
-    /// The side of the vehicle, where there is a wheel.
-    pub side: Option<Side>,
+    /// The sides of the vehicle: one of a corner, left and right of an axle, none without a wheel.
+    pub sides: &'a [Side],
     /// Axes of the report.
     pub axes: Axes,
     /// Units of the report.
     pub units: Units,
-    /// What changes, such as `travel`, `load fx` or the name of a driver.
+    /// What changes, such as `travel`, `left load fx` or the name of a driver.
     pub event: &'a str,
     /// What the travel driver holds, where there is a wheel.
     pub drive: Option<Drive>,
@@ -50,10 +50,27 @@ struct Column {
     from: From,
 }
 
+/// Which pose of a row.
+#[derive(Clone, Copy)]
+enum Wheel {
+    First,
+    Right,
+}
+
+impl Wheel {
+    fn pose(self, row: &Row) -> Option<&Pose<f64>> {
+        match self {
+            Self::First => row.pose.as_ref(),
+            Self::Right => row.right_pose.as_ref(),
+        }
+    }
+}
+
 /// Where the values of a column come from.
 #[derive(Clone, Copy)]
 enum From {
-    Factor(&'static Factor),
+    /// A factor on the left or the only side, or one on the right of an axle.
+    Factor(&'static Factor, Wheel),
     /// The value of the plan.
     Plan,
     Channel(usize),
@@ -71,34 +88,31 @@ impl SweepReport<'_> {
     /// elements and, where they are asked for, joints carry.
     fn columns(&self) -> Vec<Column> {
         let mut columns = vec![];
-        if matches!(self.plan.event, Event::Load(_) | Event::Driver(_)) {
+        let event = self.plan.event;
+        // Travel and rack are factors.
+        if !matches!(event, Event::Travel | Event::Opposite | Event::Single(_) | Event::Steer) {
             columns.push(Column {
                 name: self.event.replace(' ', "_"),
                 title: self.event.into(),
                 quantity: self.quantity,
-                sign: match self.plan.event {
-                    Event::Load(_) => "+ along the model's axis".into(),
-                    _ => "+ as the driver is defined".into(),
+                sign: match event {
+                    Event::Driver(_) => "+ as the driver is defined".into(),
+                    _ => "+ along the model's axis".into(),
                 },
                 formula: "what the event changes".into(),
                 source: "input".into(),
                 from: From::Plan,
             });
         }
-        let has = |factor: &&Factor| {
-            let mut poses = self.sweep.rows.iter().filter_map(|row| row.pose.as_ref());
-            let shown = self.sweep.rows.is_empty() && self.side.is_some();
-            shown || poses.any(|pose| (factor.value)(pose).is_some())
-        };
-        columns.extend(FACTORS.iter().filter(has).map(|factor| Column {
-            name: factor.name.into(),
-            title: factor.title.into(),
-            quantity: factor.quantity,
-            sign: factor.sign.into(),
-            formula: factor.formula.into(),
-            source: factor.source.into(),
-            from: From::Factor(factor),
-        }));
+        if let [left, right] = self.sides {
+            // The rack is the same on both sides.
+            columns.extend(self.factors("", Wheel::First, |factor| factor.name == "rack"));
+            for (side, wheel) in [(left, Wheel::First), (right, Wheel::Right)] {
+                columns.extend(self.factors(side.name(), wheel, |factor| factor.name != "rack"));
+            }
+        } else {
+            columns.extend(self.factors("", Wheel::First, |_| true));
+        }
         let joints = if self.reactions { usize::MAX } else { self.sweep.element_channels };
         let channels = self.sweep.channels.iter().enumerate().take(joints);
         columns.extend(channels.map(|(index, channel)| Column {
@@ -113,12 +127,39 @@ impl SweepReport<'_> {
         columns
     }
 
+    /// The factors of a wheel; a side stands before their names.
+    fn factors(
+        &self,
+        side: &str,
+        wheel: Wheel,
+        chosen: impl Fn(&Factor) -> bool,
+    ) -> impl Iterator<Item = Column> {
+        let has = move |factor: &&Factor| {
+            let mut poses = self.sweep.rows.iter().filter_map(|row| wheel.pose(row));
+            let shown = self.sweep.rows.is_empty() && !self.sides.is_empty();
+            chosen(factor) && (shown || poses.any(|pose| (factor.value)(pose).is_some()))
+        };
+        let (before, behind) = match side {
+            "" => (String::new(), String::new()),
+            side => (format!("{side}_"), format!(", {side} wheel")),
+        };
+        FACTORS.iter().filter(has).map(move |factor| Column {
+            name: format!("{before}{}", factor.name),
+            title: format!("{}{behind}", factor.title),
+            quantity: factor.quantity,
+            sign: factor.sign.into(),
+            formula: factor.formula.into(),
+            source: factor.source.into(),
+            from: From::Factor(factor, wheel),
+        })
+    }
+
     /// The values of a row in the units of the model, to 15 significant digits: what lies
     /// behind them is only the change of units, such as 179.99999999999994 mm for 0.18 m.
     fn values(&self, columns: &[Column], row: &Row) -> Vec<Option<f64>> {
         let units = self.units;
         let value = |column: &Column| match column.from {
-            From::Factor(factor) => factor.show(units, row.pose.as_ref()?),
+            From::Factor(factor, wheel) => factor.show(units, wheel.pose(row)?),
             From::Plan => Some(column.quantity.show(units, row.value)),
             From::Channel(channel) => Some(column.quantity.show(units, row.channels[channel])),
         };

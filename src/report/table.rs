@@ -11,11 +11,11 @@ impl SweepReport<'_> {
     /// What the writer says.
     pub fn write_table(&self, mut writer: impl io::Write) -> io::Result<()> {
         let units = self.units;
-        match self.side {
-            Some(side) => {
-                writeln!(writer, "{}, {} side, {} axes", self.name, side.name(), self.axes.name())?;
-            }
-            None => writeln!(writer, "{}", self.name)?,
+        let axes = self.axes.name();
+        match self.sides {
+            [] => writeln!(writer, "{}", self.name)?,
+            [side] => writeln!(writer, "{}, {} side, {axes} axes", self.name, side.name())?,
+            _ => writeln!(writer, "{}, axle, {axes} axes", self.name)?,
         }
         writeln!(writer)?;
         // Names in two lines keep the columns narrow: wheel_center_x becomes `wheel center_x`.

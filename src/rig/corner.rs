@@ -6,7 +6,7 @@ use super::channel::{Channel, element_channels};
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::{Axle, Pose, Wheel, WheelLoad};
 use super::stand::Stand;
-use super::sweep::{Event, Specimen, SweepPlan};
+use super::sweep::{Specimen, SweepPlan};
 use crate::mechanism::{BodyId, Force, MechanismError, PointId};
 use crate::model::{Axes, Model, Setup, Side, Suspension, SuspensionError, WheelSupport};
 use crate::relation::Coordinates;
@@ -64,7 +64,10 @@ impl Corner {
         let mut suspension = model.suspension(setup)?;
         let own_forces = suspension.mechanism.forces().len();
         let loads = match model.has_forces() {
-            true => Some(WheelLoads::add(&mut suspension, at, model.axes)?),
+            true => {
+                let Suspension { mechanism, wheel, .. } = &mut suspension;
+                Some(WheelLoads::add(mechanism, wheel, "", at, model.axes)?)
+            }
             false => None,
         };
         let released = match setup.support {
@@ -234,16 +237,10 @@ impl Corner {
 
 impl Specimen for Corner {
     fn go_to(&mut self, plan: &SweepPlan, value: f64) -> Result<StepReport, Stop> {
-        let mut held = plan.held;
-        match plan.event {
-            Event::Travel => held.travel = value,
-            Event::Steer => held.rack = value,
-            Event::Load(component) => held.load.components[component] = value,
-            // Drivers by name belong to mechanisms without a wheel.
-            Event::Driver(_) => {}
-        }
-        self.set_load(&held.load);
-        self.move_to(held.travel, held.rack)
+        let target = plan.target(value);
+        let side = self.side.index();
+        self.set_load(&target.load[side]);
+        self.move_to(target.travel[side], target.rack)
     }
 
     fn reset(&mut self) {

@@ -1,8 +1,9 @@
 //! Loads that the rig puts on a wheel.
 
-use crate::mechanism::Owner;
-use crate::mechanism::{BodyId, ForceId, ForceKind, Law, LoadFrame, MechanismError};
-use crate::model::{Axes, Suspension};
+use crate::mechanism::{
+    BodyId, ForceId, ForceKind, Law, LoadFrame, Mechanism, MechanismError, Owner,
+};
+use crate::model::{self, Axes};
 use crate::solve::equilibrium::Equilibrium;
 use crate::vector::{add, scale, sub, unit};
 
@@ -43,14 +44,14 @@ pub(super) struct WheelLoads {
 }
 
 impl WheelLoads {
-    /// Adds the elements, all without force, to a suspension.
+    /// Adds the elements, all without force, to the wheel of a mechanism. Their names have the prefix.
     pub(super) fn add(
-        suspension: &mut Suspension,
+        mechanism: &mut Mechanism,
+        wheel: &model::Wheel,
+        prefix: &str,
         point: LoadPoint,
         axes: Axes,
     ) -> Result<Self, MechanismError> {
-        let wheel = suspension.wheel;
-        let mechanism = &mut suspension.mechanism;
         let at = match point {
             LoadPoint::WheelCenter => wheel.center,
             LoadPoint::ContactPatch => {
@@ -58,7 +59,7 @@ impl WheelLoads {
                 let spin = wheel.spin_axis;
                 let down = unit(sub(scale(spin[2], spin), [0.0, 0.0, 1.0]));
                 let patch = add(center, scale(wheel.radius, down));
-                mechanism.add_point("contact_patch_at_design", patch)?
+                mechanism.add_point(&format!("{prefix}contact_patch_at_design"), patch)?
             }
         };
         let mut forces = vec![];
@@ -71,7 +72,7 @@ impl WheelLoads {
             } else {
                 ForceKind::Moment { frame, direction, size }
             };
-            let name = format!("load_{name}");
+            let name = format!("{prefix}load_{name}");
             forces.push(mechanism.add_force(&name, BodyId::GROUND, wheel.body, kind)?);
         }
         let forces = forces.try_into().expect("there are six components");

@@ -1,8 +1,9 @@
-//! The virtual test rig: one corner of a vehicle, moved by its wheel and its rack.
+//! The virtual test rig: a corner or an axle of a vehicle, moved by its wheels and its rack.
 //!
-//! The chassis is fixed. [`Corner`] drives the wheel up and down and the rack
+//! The chassis is fixed. [`Corner`] and [`Axle`] drive wheels up and down and the rack
 //! from side to side; [`Sweep`] does so along an event and keeps what was reached.
 
+mod axle;
 mod channel;
 mod corner;
 mod load;
@@ -10,9 +11,10 @@ mod pose;
 mod stand;
 mod sweep;
 
+pub use axle::Axle;
 pub use channel::Channel;
 pub use corner::{Corner, RigError};
 pub use load::{LOAD_COMPONENTS, Load, LoadPoint};
-pub use pose::{Axle, Pose, Wheel, WheelLoad};
+pub use pose::{Pose, Wheel, WheelLoad};
 pub use stand::Stand;
-pub use sweep::{Event, Held, Row, Specimen, Sweep, SweepPlan};
+pub use sweep::{Event, Held, Row, Specimen, Sweep, SweepPlan, Target};

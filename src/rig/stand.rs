@@ -210,8 +210,8 @@ impl Specimen for Stand {
     fn go_to(&mut self, plan: &SweepPlan, value: f64) -> Result<StepReport, Stop> {
         match plan.event {
             Event::Driver(driver) => self.move_to(&[(driver, value)]),
-            // Travel, rack and wheel loads belong to corners.
-            Event::Travel | Event::Steer | Event::Load(_) => Ok(StepReport::default()),
+            // Travel, rack and wheel loads belong to corners and axles.
+            _ => Ok(StepReport::default()),
         }
     }
 

@@ -1,20 +1,31 @@
-//! Events: a sequence of states of a corner.
+//! Events: a sequence of states of a corner, an axle or a mechanism.
 
 use super::channel::Channel;
 use super::load::Load;
 use super::pose::Pose;
 use crate::mechanism::DriverId;
+use crate::model::Side;
 use crate::solve::{StepReport, Stop};
 
-/// What changes in an event; all else is held.
+/// What changes in an event; all else is held. A corner takes the part of its side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Event {
-    /// The wheel goes up and down, the rack is held.
+    /// The wheel goes up and down, the rack is held. The wheels of an axle go in parallel.
     Travel,
+    /// The left wheel goes up from the held travel by as much as the right one goes down: roll with a
+    /// constant track of the rig.
+    Opposite,
+    /// One wheel goes up and down, the other is held.
+    Single(Side),
     /// The rack moves, the height of the wheel is held.
     Steer,
-    /// One component of the load on the wheel grows, by its position in [`LOAD_COMPONENTS`].
+    /// One component of the load on the wheel grows, by its position in [`LOAD_COMPONENTS`]. Both
+    /// wheels of an axle carry the same.
     Load(usize),
+    /// One component of the load grows on the left wheel, and as much against it on the right one.
+    LoadOpposed(usize),
+    /// One component of the load on one wheel grows.
+    LoadSingle(usize, Side),
     /// A driver of a mechanism moves, all others are held.
     Driver(DriverId),
 }
@@ -22,12 +33,25 @@ pub enum Event {
 /// What an event does not change.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Held {
-    /// Travel of the wheel (m), where it is held.
+    /// Travel of the wheel or wheels (m), where it is held.
     pub travel: f64,
     /// Displacement of the rack (m).
     pub rack: f64,
     /// Load on the wheel (N and N·m).
     pub load: Load,
+    /// Load on the right wheel of an axle, where it is another one.
+    pub right_load: Option<Load>,
+}
+
+/// What the rig does to the wheels at one state of an event.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Target {
+    /// Travel (m) of the left and the right wheel.
+    pub travel: [f64; 2],
+    /// Displacement of the rack (m).
+    pub rack: f64,
+    /// Load (N and N·m) on the left and the right wheel.
+    pub load: [Load; 2],
 }
 
 /// The states that a sweep visits.
@@ -46,6 +70,34 @@ pub struct SweepPlan {
 }
 
 impl SweepPlan {
+    /// What the rig does at a value.
+    pub fn target(&self, value: f64) -> Target {
+        let Held { travel, rack, load, right_load } = self.held;
+        let mut target =
+            Target { travel: [travel; 2], rack, load: [load, right_load.unwrap_or(load)] };
+        let mut load = |component: usize, side: Side, value| {
+            target.load[side.index()].components[component] = value;
+        };
+        match self.event {
+            Event::Travel => target.travel = [value; 2],
+            Event::Opposite => target.travel = [travel + value, travel - value],
+            Event::Single(side) => target.travel[side.index()] = value,
+            Event::Steer => target.rack = value,
+            Event::Load(component) => {
+                load(component, Side::Left, value);
+                load(component, Side::Right, value);
+            }
+            Event::LoadOpposed(component) => {
+                load(component, Side::Left, value);
+                load(component, Side::Right, -value);
+            }
+            Event::LoadSingle(component, side) => load(component, side, value),
+            // Drivers by name belong to mechanisms without a wheel.
+            Event::Driver(_) => {}
+        }
+        target
+    }
+
     /// The values (m), `from` first. `to` is the last value even where the distance is no
     /// multiple of the step.
     pub fn values(&self) -> Vec<f64> {
@@ -70,7 +122,7 @@ impl SweepPlan {
     }
 }
 
-/// What a sweep moves: a corner, or a mechanism without a wheel.
+/// What a sweep moves: a corner, an axle, or a mechanism without a wheel.
 pub trait Specimen {
     /// Goes to one value of a plan.
     ///
@@ -81,8 +133,13 @@ pub trait Specimen {
     /// Returns to the design position.
     fn reset(&mut self);
 
-    /// Where wheel and steer axis are, where there is a wheel.
+    /// Where wheel and steer axis are, where there is a wheel; those on the left of an axle.
     fn pose(&mut self) -> Option<Pose<f64>>;
+
+    /// Where wheel and steer axis on the right of an axle are.
+    fn right_pose(&mut self) -> Option<Pose<f64>> {
+        None
+    }
 
     /// The channels of force elements, or of bodies, drivers and force elements.
     fn element_channels(&self) -> &[Channel];
@@ -102,8 +159,10 @@ pub trait Specimen {
 pub struct Row {
     /// The value of the plan (m, N or N·m).
     pub value: f64,
-    /// Where wheel and steer axis are, where there is a wheel.
+    /// Where wheel and steer axis are, where there is a wheel; those on the left of an axle.
     pub pose: Option<Pose<f64>>,
+    /// Where wheel and steer axis on the right of an axle are.
+    pub right_pose: Option<Pose<f64>>,
     /// The values (SI) of [`Sweep::channels`].
     pub channels: Vec<f64>,
     /// Newton iterations from the state before.
@@ -195,6 +254,7 @@ impl<C: Specimen, P: FnMut(usize)> Run<'_, C, P> {
             Ok(report) => Some(Row {
                 value,
                 pose: self.specimen.pose(),
+                right_pose: self.specimen.right_pose(),
                 channels: self.specimen.channel_values(),
                 iterations: report.iterations,
                 relative_residual: report.relative_residual,

@@ -1,13 +1,13 @@
-//! Options that say how a corner stands on the rig.
+//! Options that say how a corner or an axle stands on the rig.
 
 use clap::{Args, ValueEnum};
-use hardpoint::model::{Chassis, Drive, Model, Quantity, Setup, WheelSupport};
+use hardpoint::model::{Chassis, Drive, Model, Quantity, Setup, Side, WheelSupport};
 use hardpoint::rig::{LOAD_COMPONENTS, Load, LoadPoint};
 
 use crate::failure::Failure;
 use crate::output::DriveName;
 
-/// How a corner stands on the rig and what loads its wheel.
+/// How a corner or an axle stands on the rig and what loads its wheels.
 #[derive(Args)]
 pub struct RigOptions {
     /// Which height a travel means.
@@ -17,12 +17,13 @@ pub struct RigOptions {
     #[arg(long)]
     kinematic: bool,
     /// Load on the wheel, such as fx=1000 or mz=-50: fx, fy, fz, mx, my, mz along and about the axes of
-    /// the model, in its units; may be given several times.
+    /// the model, in its units; may be given several times. Both wheels of an axle carry it, but for
+    /// left.fx=1000 and the like.
     #[arg(long = "load", value_name = "COMPONENT=VALUE", allow_hyphen_values = true)]
     loads: Vec<String>,
-    /// Where --load acts on the wheel's body.
-    #[arg(long, value_enum, default_value = "contact-patch")]
-    at: LoadPointName,
+    /// Where --load acts on the wheel's body [default: contact-patch].
+    #[arg(long, value_enum)]
+    at: Option<LoadPointName>,
 }
 
 /// Where a load acts.
@@ -42,9 +43,15 @@ impl RigOptions {
 
     /// Where loads act.
     pub fn point(&self) -> LoadPoint {
+        self.point_or(LoadPoint::ContactPatch)
+    }
+
+    /// Where loads act, if the user does not say so.
+    pub fn point_or(&self, default: LoadPoint) -> LoadPoint {
         match self.at {
-            LoadPointName::ContactPatch => LoadPoint::ContactPatch,
-            LoadPointName::WheelCenter => LoadPoint::WheelCenter,
+            Some(LoadPointName::ContactPatch) => LoadPoint::ContactPatch,
+            Some(LoadPointName::WheelCenter) => LoadPoint::WheelCenter,
+            None => default,
         }
     }
 
@@ -53,9 +60,23 @@ impl RigOptions {
         Setup { drive: self.drive(), support, chassis, kinematic: self.kinematic }
     }
 
-    /// The load on the wheel (SI).
+    /// The load on the wheel of a corner (SI).
     pub fn load(&self, model: &Model) -> Result<Load, Failure> {
-        let mut load = Load::default();
+        if let Some(text) = self.loads.iter().find(|text| side(text).is_some()) {
+            return Err(Failure::Usage(format!(
+                "--load {text} names a wheel of an axle; add --axle, or leave out the side"
+            )));
+        }
+        Ok(self.loads(model, model.has_forces())?[0])
+    }
+
+    /// The loads on the wheels of an axle (SI).
+    pub fn axle_loads(&self, model: &Model) -> Result<[Load; 2], Failure> {
+        self.loads(model, model.axle_has_forces())
+    }
+
+    fn loads(&self, model: &Model, has_forces: bool) -> Result<[Load; 2], Failure> {
+        let mut loads = [Load::default(); 2];
         for text in &self.loads {
             let wrong = || {
                 Failure::Usage(format!(
@@ -63,23 +84,37 @@ impl RigOptions {
                     LOAD_COMPONENTS.join(", ")
                 ))
             };
+            let (wheels, text) = match side(text) {
+                Some((side, text)) => (&mut loads[side.index()..=side.index()], text),
+                None => (&mut loads[..], text.as_str()),
+            };
             let (name, value) = text.split_once('=').ok_or_else(wrong)?;
             let component = component(name).ok_or_else(wrong)?;
             let value: f64 = value.trim().parse().map_err(|_| wrong())?;
             if !value.is_finite() {
                 return Err(wrong());
             }
-            load.components[component] += quantity(component).to_si(model.units, value);
+            for load in wheels {
+                load.components[component] += quantity(component).to_si(model.units, value);
+            }
         }
-        if !self.loads.is_empty() && !model.has_forces() {
+        if !self.loads.is_empty() && !has_forces {
             return Err(Failure::Usage(
                 "a load moves nothing in a model without forces; add springs or a tyre to the model, \
                  or leave out --load"
                     .into(),
             ));
         }
-        Ok(load)
+        Ok(loads)
     }
+}
+
+/// The wheel that a load names, and the rest of the text.
+fn side(text: &str) -> Option<(Side, &str)> {
+    let (name, rest) = text.split_once('.')?;
+    let sides = [Side::Left, Side::Right];
+    let side = sides.into_iter().find(|side| side.name() == name.trim())?;
+    Some((side, rest))
 }
 
 /// The component of a name.

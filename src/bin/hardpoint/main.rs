@@ -2,6 +2,7 @@
 
 mod check;
 mod equilibrium;
+mod events;
 mod failure;
 mod loads;
 mod output;

@@ -2,17 +2,18 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use hardpoint::mechanism::DriverId;
 use hardpoint::model::{
-    Axes, Chassis, Document, MechanismModel, Model, Quantity, Units, WheelSupport,
+    Axes, Chassis, Document, MechanismModel, Model, Quantity, Side, Units, WheelSupport,
 };
 use hardpoint::report::SweepReport;
-use hardpoint::rig::{self, Corner, Held, Specimen, Stand, SweepPlan};
+use hardpoint::rig::{self, Axle, Corner, Held, Specimen, Stand, SweepPlan};
 
+use crate::events::{Course, EventName, Wheels};
 use crate::failure::Failure;
 use crate::load;
-use crate::loads::{self, RigOptions};
+use crate::loads::RigOptions;
 use crate::output::{Format, Output, SideName, axes_of_words};
 use crate::progress::Progress;
 
@@ -22,7 +23,7 @@ const MOST_STATES: f64 = 1e6;
 /// No suspension travels farther (m).
 const FARTHEST: f64 = 1e3;
 
-/// Move the wheel, the rack, a load or a driver through an event and list every state.
+/// Move wheels, the rack, a load or a driver through an event and list every state.
 ///
 /// Lengths, angles and forces are in the units of the model, measured from the design position. Where
 /// the model has forces, every state is one of static equilibrium, and the table has the wheel
@@ -40,14 +41,22 @@ Examples:
   hardpoint sweep models/double-wishbone.toml --event steer --travel 20 -o steer.csv
   hardpoint sweep models/quarter-car.toml --reactions -o forces.csv
   hardpoint sweep models/bushed-double-wishbone.toml --event load --vary fx --from -2000 --to 2000 --step 500
+  hardpoint sweep models/sedan-axle.toml --axle --event opposite --from -50 --to 50
+  hardpoint sweep models/sedan-axle.toml --axle --event load --vary fy --wheels opposed
   hardpoint sweep models/four-bar.toml --driver crank --from 0 --to 360 --step 10")]
 pub struct Sweep {
     /// The model or mechanism file.
     model: PathBuf,
-    /// What changes: the travel of the wheel, the rack, or one component of the load on the wheel
-    /// [default: travel].
+    /// What changes: the travel of the wheel, the rack, or one component of the load on the wheel;
+    /// of an axle the travel in parallel, opposite, left or right [default: travel].
     #[arg(long, value_enum)]
     event: Option<EventName>,
+    /// Put both sides on the rig: the model and its mirror image.
+    #[arg(long, conflicts_with = "side")]
+    axle: bool,
+    /// The wheels of an axle that a load event loads [default: parallel].
+    #[arg(long, value_enum)]
+    wheels: Option<Wheels>,
     /// The component that a load event changes: fx, fy, fz, mx, my or mz.
     #[arg(long, value_name = "COMPONENT")]
     vary: Option<String>,
@@ -66,7 +75,8 @@ pub struct Sweep {
     /// Rack displacement that is held [default: 0].
     #[arg(long, allow_negative_numbers = true, value_name = "R")]
     rack: Option<f64>,
-    /// Wheel travel that is held [default: 0; a load event leaves the wheel free, on its tyre].
+    /// Wheel travel that is held [default: 0; a load event leaves the wheel free, on its tyre]. In an
+    /// opposite event it is the mean of both wheels.
     #[arg(long, allow_negative_numbers = true, value_name = "T")]
     travel: Option<f64>,
     #[command(flatten)]
@@ -85,16 +95,6 @@ pub struct Sweep {
     output: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum EventName {
-    /// The wheel goes up and down.
-    Travel,
-    /// The rack moves from side to side.
-    Steer,
-    /// One component of the load on the wheel grows.
-    Load,
-}
-
 fn usage<T>(message: impl Into<String>) -> Result<T, Failure> {
     Err(Failure::Usage(message.into()))
 }
@@ -108,12 +108,12 @@ impl Sweep {
             return usage("-o would overwrite the model; name another file");
         }
         match document {
-            Document::Suspension(model) => self.corner(&model),
+            Document::Suspension(model) => self.suspension(&model),
             Document::Mechanism(model) => self.mechanism(&model),
         }
     }
 
-    fn corner(&self, model: &Model) -> Result<(), Failure> {
+    fn suspension(&self, model: &Model) -> Result<(), Failure> {
         if self.driver.is_some() {
             return usage("--driver belongs to mechanism files; a suspension has --event");
         }
@@ -121,7 +121,11 @@ impl Sweep {
         if self.vary.is_some() && event != EventName::Load {
             return usage("--vary belongs to --event load");
         }
-        if event == EventName::Load && !model.has_forces() {
+        if self.wheels.is_some() && !(self.axle && event == EventName::Load) {
+            return usage("--wheels belongs to --axle with --event load");
+        }
+        let has_forces = if self.axle { model.axle_has_forces() } else { model.has_forces() };
+        if event == EventName::Load && !has_forces {
             return usage(
                 "a load moves nothing in a model without forces; add [[forces]] to the model",
             );
@@ -129,15 +133,27 @@ impl Sweep {
         let free = event == EventName::Load && self.travel.is_none();
         let support = if free { WheelSupport::Free } else { WheelSupport::Held };
         let setup = self.rig.setup(support, Chassis::Fixed);
-        let load = self.rig.load(model)?;
-        let mut corner = Corner::with_loads(model, &setup, self.rig.point())
-            .map_err(|error| Failure::Rig(self.model.display().to_string(), Box::new(error)))?;
-        let (quantity, mut plan, name) = self.plan(event, model.units, corner.steers())?;
-        plan.held.load = load;
-        let sweep = self.states(&mut corner, &plan, model.axes);
+        let at = self.rig.point();
+        let rig = |error| Failure::Rig(self.model.display().to_string(), Box::new(error));
+        let (quantity, plan, name, sweep) = if self.axle {
+            let [left, right] = self.rig.axle_loads(model)?;
+            let mut axle = Axle::with_loads(model, &setup, at).map_err(rig)?;
+            let (quantity, mut plan, name) = self.plan(event, model.units, axle.steers())?;
+            (plan.held.load, plan.held.right_load) = (left, Some(right));
+            let sweep = self.states(&mut axle, &plan, model.axes);
+            (quantity, plan, name, sweep)
+        } else {
+            let load = self.rig.load(model)?;
+            let mut corner = Corner::with_loads(model, &setup, at).map_err(rig)?;
+            let (quantity, mut plan, name) = self.plan(event, model.units, corner.steers())?;
+            plan.held.load = load;
+            let sweep = self.states(&mut corner, &plan, model.axes);
+            (quantity, plan, name, sweep)
+        };
+        let side = [model.side];
         self.write(&SweepReport {
             name: &model.name,
-            side: Some(model.side),
+            sides: if self.axle { &[Side::Left, Side::Right] } else { &side },
             axes: model.axes,
             units: model.units,
             event: &name,
@@ -155,6 +171,8 @@ impl Sweep {
             (self.vary.is_some(), "--vary"),
             (self.rack.is_some(), "--rack"),
             (self.travel.is_some(), "--travel"),
+            (self.axle, "--axle"),
+            (self.wheels.is_some(), "--wheels"),
         ];
         if let Some((_, option)) = suspension.iter().find(|(given, _)| *given) {
             return usage(format!("{option} belongs to suspensions; this file is a mechanism"));
@@ -185,7 +203,7 @@ impl Sweep {
         let sweep = self.states(&mut stand, &plan, Axes::Iso8855);
         self.write(&SweepReport {
             name: &model.name,
-            side: None,
+            sides: &[],
             axes: Axes::Iso8855,
             units: model.units,
             event: &name,
@@ -283,42 +301,28 @@ impl Sweep {
         if self.rack.is_some_and(|rack| rack != 0.0) && !steers {
             return usage("this suspension has no rack; leave out --rack");
         }
-        let (event, quantity, range, step, name) = match event {
-            EventName::Travel => {
-                if self.travel.is_some() {
-                    return usage(
-                        "a travel event moves the travel; hold the rack with --rack, \
-                                  and say the range of travel with --from and --to",
-                    );
-                }
-                (rig::Event::Travel, Quantity::Length, 0.13, 0.01, "travel".to_owned())
+        match event {
+            EventName::Travel | EventName::Parallel if self.travel.is_some() => {
+                return usage(
+                    "a travel event moves the travel; hold the rack with --rack, \
+                     and say the range of travel with --from and --to",
+                );
             }
-            EventName::Steer => {
-                if self.rack.is_some() {
-                    return usage(
-                        "a steer event moves the rack; hold the travel with --travel, \
-                                  and say the range of the rack with --from and --to",
-                    );
-                }
-                if !steers {
-                    return usage("this suspension has no rack, so there is no steer event");
-                }
-                (rig::Event::Steer, Quantity::Length, 0.04, 0.005, "steer".to_owned())
+            EventName::Steer if self.rack.is_some() => {
+                return usage(
+                    "a steer event moves the rack; hold the travel with --travel, \
+                     and say the range of the rack with --from and --to",
+                );
             }
-            EventName::Load => {
-                let Some(name) = &self.vary else {
-                    return usage("say which component of the load changes, such as --vary fx");
-                };
-                let Some(component) = loads::component(name) else {
-                    return usage(format!(
-                        "there is no load component `{name}`; the choices are {}",
-                        rig::LOAD_COMPONENTS.join(", ")
-                    ));
-                };
-                let range = if component < 3 { 1000.0 } else { 100.0 };
-                let event = rig::Event::Load(component);
-                (event, loads::quantity(component), range, range / 10.0, format!("load {name}"))
+            EventName::Steer if !steers => {
+                return usage("this suspension has no rack, so there is no steer event");
             }
+            _ => {}
+        }
+        let Course { event, quantity, range, step, name } = if self.axle {
+            Course::of_axle(event, self.vary.as_deref(), self.wheels)?
+        } else {
+            Course::of_corner(event, self.vary.as_deref())?
         };
         let value = |value: Option<f64>, default: f64| {
             value.map_or(default, |value| quantity.to_si(units, value))
@@ -329,11 +333,7 @@ impl Sweep {
             from: value(self.from, -range),
             to: value(self.to, range),
             step: value(self.step, step),
-            held: Held {
-                travel: length(self.travel),
-                rack: length(self.rack),
-                load: rig::Load::default(),
-            },
+            held: Held { travel: length(self.travel), rack: length(self.rack), ..Held::default() },
         };
         check_states(&plan)?;
         Ok((quantity, plan, name))
