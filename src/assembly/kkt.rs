@@ -202,7 +202,7 @@ impl Kkt {
     }
 
     /// Evaluates Φ, the forces and the matrix at rest. `lambda` and `phi` have an entry for
-    /// every equation; the multiplier of a left-out equation has to be zero.
+    /// every equation; the multiplier of a left-out equation is a dead load, zero for redundant ones.
     pub fn fill(&mut self, state: &[Coordinates<f64>], h: &[f64], lambda: &[f64], phi: &mut [f64]) {
         let rest = std::mem::take(&mut self.rest);
         let motion = Motion { state, velocity: &rest, acceleration: &rest };

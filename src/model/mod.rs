@@ -160,6 +160,11 @@ impl Model {
         weights || !self.loads.forces.is_empty() || !self.loads.bushings.is_empty()
     }
 
+    /// Whether the suspension has a rack.
+    pub fn steers(&self) -> bool {
+        self.architecture.rack.is_some()
+    }
+
     /// Whether the wheel can stand on a tyre.
     pub fn has_tyre(&self) -> bool {
         self.loads.tyre.is_some()

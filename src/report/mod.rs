@@ -1,11 +1,13 @@
 //! Sweeps as text: a table for people, CSV and JSON for programs.
 
+mod compliance;
 mod csv;
 mod json;
 mod settle;
 mod statics;
 mod table;
 
+pub use compliance::ComplianceReport;
 pub use settle::{SettleReport, SettleRow};
 pub use statics::StaticsReport;
 

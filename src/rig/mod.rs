@@ -2,9 +2,11 @@
 //!
 //! The chassis is fixed. [`Corner`] and [`Axle`] drive wheels up and down and the rack
 //! from side to side; [`Sweep`] does so along an event and keeps what was reached.
+//! [`Compliance`] says how wheels that the rig lets go give way to loads.
 
 mod axle;
 mod channel;
+mod compliance;
 mod corner;
 mod load;
 mod pose;
@@ -13,6 +15,7 @@ mod sweep;
 
 pub use axle::Axle;
 pub use channel::Channel;
+pub use compliance::Compliance;
 pub use corner::{Corner, RigError};
 pub use load::{LOAD_COMPONENTS, Load, LoadPoint};
 pub use pose::{Pose, Wheel, WheelLoad};

@@ -36,6 +36,7 @@ pub struct Equilibrium {
     force_change: Vec<f64>,
 }
 
+#[derive(Clone)]
 pub(super) struct Problem {
     pub kkt: Kkt,
     pub numbering: Numbering,
@@ -112,6 +113,35 @@ impl Equilibrium {
                 numbering,
                 kkt,
             },
+        }
+    }
+
+    /// The same state with more drivers taken away. Their multipliers stay, so that what they hold with
+    /// goes on as a dead load; Newton's method does not change them.
+    pub(super) fn let_go(&self, drivers: &[DriverId]) -> Self {
+        let goes = |&equation: &usize| match self.expansion.owner(equation) {
+            Owner::Driver(driver) => drivers.contains(&driver) || !self.is_held(equation),
+            _ => !self.is_held(equation),
+        };
+        let left_out: Vec<usize> = (0..self.expansion.equation_count()).filter(goes).collect();
+        let numbering = Numbering::new(&self.expansion, &left_out);
+        let elements = self.elements().clone();
+        let kkt = Kkt::with_forces(self.terms.clone(), elements, Inertias::none(), &numbering);
+        let rows = kkt.pattern().rows();
+        Self {
+            linear: solver(kkt.pattern()),
+            step: vec![0.0; rows],
+            tangent: vec![0.0; rows],
+            dh: self.dh.clone(),
+            phi_change: self.phi_change.clone(),
+            force_change: self.force_change.clone(),
+            released: [&self.released, drivers].concat(),
+            driver_values: self.driver_values.clone(),
+            design: self.design.clone(),
+            mechanism: self.mechanism.clone(),
+            expansion: self.expansion.clone(),
+            terms: self.terms.clone(),
+            problem: Problem { kkt, numbering, ..self.problem.clone() },
         }
     }
 

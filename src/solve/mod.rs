@@ -12,6 +12,7 @@
 //! | `equilibrium` | both residuals of eq. (4): coordinates and multipliers |
 //! | `statics` | the robust way to an equilibrium, and why there is none |
 //! | `stability` | the stiffness against the motions that joints allow |
+//! | `compliance` | how points give way to loads |
 //! | `dynamics` | motion in time |
 //! | `wrench` | reactions of joints and forces of elements |
 //! | `position` | Φ = 0 alone |
@@ -19,6 +20,7 @@
 //! | `freedom` | redundant equations and free motions, in words |
 //! | `stop` | why a mechanism cannot go on |
 
+pub mod compliance;
 mod convergence;
 pub mod dynamics;
 mod elimination;

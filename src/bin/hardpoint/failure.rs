@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use hardpoint::model::ModelDiagnostics;
 use hardpoint::rig::RigError;
+use hardpoint::solve::compliance::ComplianceError;
 use hardpoint::solve::dynamics::DynamicsFailure;
 use hardpoint::solve::{StaticFailure, Stop};
 use miette::GraphicalReportHandler;
@@ -17,6 +18,8 @@ pub enum Failure {
     Rig(String, Box<RigError>),
     /// There is no static equilibrium.
     Static(String, StaticFailure),
+    /// A wheel has no compliance.
+    Compliance(String, ComplianceError),
     /// The motion cannot go on.
     Motion(String, DynamicsFailure),
     /// The mechanism stopped during an event.
@@ -51,6 +54,10 @@ impl Failure {
             }
             Self::Static(model, failure) => {
                 eprintln!("error: {model}: {failure}");
+                ExitCode::from(3)
+            }
+            Self::Compliance(model, error) => {
+                eprintln!("error: {model}: {error}");
                 ExitCode::from(3)
             }
             Self::Motion(model, failure) => {

@@ -21,7 +21,8 @@ pub struct RigOptions {
     /// left.fx=1000 and the like.
     #[arg(long = "load", value_name = "COMPONENT=VALUE", allow_hyphen_values = true)]
     loads: Vec<String>,
-    /// Where --load acts on the wheel's body [default: contact-patch].
+    /// Where --load acts on the wheel's body, and where a compliance is taken [default: contact-patch, of
+    /// a compliance wheel-center].
     #[arg(long, value_enum)]
     at: Option<LoadPointName>,
 }

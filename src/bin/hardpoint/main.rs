@@ -1,6 +1,7 @@
 //! The command line of hardpoint.
 
 mod check;
+mod compliance;
 mod equilibrium;
 mod events;
 mod failure;
@@ -40,6 +41,7 @@ Exit codes:
 #[derive(Subcommand)]
 enum Command {
     Check(check::Check),
+    Compliance(compliance::Compliance),
     Equilibrium(equilibrium::Equilibrium),
     Settle(settle::Settle),
     Sweep(sweep::Sweep),
@@ -48,6 +50,7 @@ enum Command {
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Check(command) => command.run(),
+        Command::Compliance(command) => command.run(),
         Command::Equilibrium(command) => command.run(),
         Command::Settle(command) => command.run(),
         Command::Sweep(command) => command.run(),

@@ -1,0 +1,163 @@
+//! `hardpoint compliance`: how wheels give way to loads.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use hardpoint::model::{Chassis, Document, Model, WheelSupport};
+use hardpoint::report::ComplianceReport;
+use hardpoint::rig::{self, Axle, Corner, LoadPoint, RigError};
+use hardpoint::solve::Stop;
+
+use crate::failure::Failure;
+use crate::load;
+use crate::loads::RigOptions;
+use crate::output::{Format, Output, SideName};
+
+/// The compliance matrix: displacements and rotations of wheels per unit force and moment, 6×6 of a
+/// corner, 12×12 of an axle.
+///
+/// The rig holds the wheels at a travel, the rack at its displacement and the loads that are given; there the
+/// wheels are let go, and what held them stays on as a dead load. Tyres do not count.
+#[derive(Args)]
+#[command(after_help = "\
+Signs: forces and displacements + along the model's axes, moments and rotations right-handed about
+them. The matrix is symmetric where all forces have an energy and no moment is applied; the
+asymmetry |C − Cᵀ|/|C| is printed.
+
+Examples:
+  hardpoint compliance models/bushed-double-wishbone.toml
+  hardpoint compliance models/sedan-axle.toml --axle
+  hardpoint compliance models/sedan-axle.toml --axle --travel 20 --load fx=-1000 -o c.csv
+  hardpoint compliance models/sedan-axle.toml --axle --at contact-patch --format json")]
+pub struct Compliance {
+    /// The model file.
+    model: PathBuf,
+    /// Put both sides on the rig: the model and its mirror image.
+    #[arg(long, conflicts_with = "side")]
+    axle: bool,
+    /// Wheel travel, of both wheels of an axle [default: 0].
+    #[arg(long, allow_negative_numbers = true, value_name = "T")]
+    travel: Option<f64>,
+    /// Rack displacement [default: 0].
+    #[arg(long, allow_negative_numbers = true, value_name = "R")]
+    rack: Option<f64>,
+    #[command(flatten)]
+    rig: RigOptions,
+    /// Look at this side of the vehicle; the other side is the mirror image of the model.
+    #[arg(long)]
+    side: Option<SideName>,
+    /// How to write the matrix [default: table, or what the ending of the file names].
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// Write to a file instead of the terminal.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+impl Compliance {
+    /// Runs the command.
+    pub fn run(&self) -> Result<(), Failure> {
+        let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
+        let Document::Suspension(model) = load(&self.model, self.side)? else {
+            return usage("a compliance belongs to wheels; this file is a mechanism");
+        };
+        let place = self.output.as_ref().and_then(|path| path.canonicalize().ok());
+        if place.is_some() && place == self.model.canonicalize().ok() {
+            return usage("-o would overwrite the model; name another file");
+        }
+        let (travel, rack) = (
+            self.metres(&model, self.travel, "--travel")?,
+            self.metres(&model, self.rack, "--rack")?,
+        );
+        let steers = model.steers();
+        if self.rack.is_some() && !steers {
+            return usage("this suspension has no rack; leave out --rack");
+        }
+        let at = self.rig.point_or(LoadPoint::WheelCenter);
+        let compliance = if self.axle {
+            self.of_axle(&model, travel, rack, at)?
+        } else {
+            self.of_corner(&model, travel, rack, at)?
+        };
+        let compliance = match at {
+            LoadPoint::WheelCenter => compliance,
+            LoadPoint::ContactPatch => compliance.at_contact_patch(),
+        };
+        let what = if self.axle { "axle".into() } else { format!("{} side", model.side.name()) };
+        let length = model.units.length;
+        let (travel, rack) = (length.from_metres(travel), length.from_metres(rack));
+        let symbol = length.symbol();
+        let steered = if steers { format!(", rack {rack} {symbol}") } else { String::new() };
+        let title = format!(
+            "{}, {what}, {} axes, travel {travel} {symbol}{steered}",
+            model.name,
+            model.axes.name()
+        );
+        let report = ComplianceReport {
+            title: &title,
+            axes: model.axes,
+            units: model.units,
+            compliance: &compliance,
+        };
+        let named = self.output.as_deref().and_then(Format::of);
+        let output = self.output.clone().map_or(Output::Stdout, Output::File);
+        output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
+            Format::Table => report.write_table(writer),
+            Format::Csv => report.write_csv(writer),
+            Format::Json => report.write_json(writer),
+        })
+    }
+
+    fn of_corner(
+        &self,
+        model: &Model,
+        travel: f64,
+        rack: f64,
+        at: LoadPoint,
+    ) -> Result<rig::Compliance, Failure> {
+        let load = self.rig.load(model)?;
+        let setup = self.rig.setup(WheelSupport::Held, Chassis::Fixed);
+        let mut corner =
+            Corner::with_loads(model, &setup, at).map_err(|error| self.cannot_stand(error))?;
+        corner.set_load(&load);
+        corner.move_to(travel, rack).map_err(stopped)?;
+        corner.compliance().map_err(|error| self.fails(error))
+    }
+
+    fn of_axle(
+        &self,
+        model: &Model,
+        travel: f64,
+        rack: f64,
+        at: LoadPoint,
+    ) -> Result<rig::Compliance, Failure> {
+        let loads = self.rig.axle_loads(model)?;
+        let setup = self.rig.setup(WheelSupport::Held, Chassis::Fixed);
+        let mut axle =
+            Axle::with_loads(model, &setup, at).map_err(|error| self.cannot_stand(error))?;
+        axle.set_load(&loads);
+        axle.move_to([travel; 2], rack).map_err(stopped)?;
+        axle.compliance().map_err(|error| self.fails(error))
+    }
+
+    fn metres(&self, model: &Model, value: Option<f64>, name: &str) -> Result<f64, Failure> {
+        match value {
+            Some(value) if !value.is_finite() => {
+                Err(Failure::Usage(format!("{name} is not a finite number")))
+            }
+            value => Ok(value.map_or(0.0, |value| model.units.length.to_metres(value))),
+        }
+    }
+
+    fn cannot_stand(&self, error: RigError) -> Failure {
+        Failure::Rig(self.model.display().to_string(), Box::new(error))
+    }
+
+    fn fails(&self, error: hardpoint::solve::compliance::ComplianceError) -> Failure {
+        Failure::Compliance(self.model.display().to_string(), error)
+    }
+}
+
+fn stopped(stop: Stop) -> Failure {
+    Failure::Stopped(vec![stop], "no compliance was found".into())
+}
