@@ -9,7 +9,7 @@ use crate::model::Axes;
 use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{
-    FreedomReport, StaticFailure, StaticReport, StepReport, Stop, System, Tolerances,
+    FreedomReport, StaticFailure, StaticReport, StepReport, Stop, System, Tangent, Tolerances,
 };
 
 /// A mechanism with its state.
@@ -108,6 +108,23 @@ impl Stand {
         let equation = self.equilibrium.equation_of(driver);
         let tangent = self.equilibrium.driver_tangent(driver).ok()?;
         Some(-tangent.multiplier(equation))
+    }
+
+    /// How all bodies move per unit (m or rad) of a driver, the other drivers held: as the joints
+    /// allow where they determine the position, else along states of equilibrium.
+    /// `None` for a driver that is released, in a dead centre, and where equilibrium is sought but
+    /// not found or not isolated.
+    pub fn tangent(&mut self, driver: DriverId) -> Option<Tangent<'_>> {
+        if self.released.contains(&driver) {
+            return None;
+        }
+        if self.rigid || !self.loaded {
+            return self.system.tangent(driver).ok();
+        }
+        if !self.found {
+            return None;
+        }
+        self.equilibrium.driver_tangent(driver).ok().map(|tangent| tangent.motion)
     }
 
     /// The channels of bodies alone: positions and rotations.

@@ -5,6 +5,7 @@ use super::linear::{LinearSolver, Singular, largest, solver};
 use super::newton::{Equations, newton};
 use super::position::{Scales, move_bodies};
 use super::system::System;
+use super::tangent::Tangent;
 use crate::assembly::{Elements, Inertias, Kkt, Numbering, Terms};
 use crate::mechanism::{DriverId, Expansion, Mechanism, Owner};
 use crate::relation::Coordinates;
@@ -223,7 +224,8 @@ impl Equilibrium {
         }
         self.linear.solve(&mut self.tangent)?;
         let (coordinates, multipliers) = self.tangent.split_at(problem.kkt.unknowns());
-        Ok(DriverTangent { coordinates, multipliers, numbering: &problem.numbering })
+        let motion = Tangent::new(&problem.state, coordinates);
+        Ok(DriverTangent { motion, multipliers, numbering: &problem.numbering })
     }
 
     /// The equation of a driver, for [`DriverTangent::multiplier`].
@@ -238,8 +240,8 @@ impl Equilibrium {
 
 /// The derivative of an equilibrium by the value of a driver.
 pub struct DriverTangent<'a> {
-    /// Of the coordinates, seven for each moving body.
-    pub coordinates: &'a [f64],
+    /// Of the coordinates.
+    pub motion: Tangent<'a>,
     multipliers: &'a [f64],
     numbering: &'a Numbering,
 }
