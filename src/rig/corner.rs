@@ -3,19 +3,20 @@
 use thiserror::Error;
 
 use super::channel::{Channel, element_channels};
+use super::line::{Line, Wheel};
 use super::load::{Load, LoadPoint, WheelLoads};
-use super::pose::{Axle, Pose, Wheel, WheelLoad};
+use super::pose::{Design, Motion, Motions, Pose, WheelLoad};
 use super::stand::Stand;
 use super::sweep::{Event, Specimen, SweepPlan};
-use crate::mechanism::{BodyId, MechanismError, PointId};
-use crate::model::{Axes, Model, Setup, Side, Suspension, SuspensionError, WheelSupport};
+use crate::mechanism::{BodyId, DriverId, MechanismError, PointId};
+use crate::model::{Axes, Model, Setup, Side, Suspension, SuspensionError, Vehicle, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{
     FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop, SystemError,
     point_position, rotation,
 };
-use crate::vector::dot;
+use crate::vector::{add, dot};
 
 /// Why a corner cannot be put on the rig.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -42,6 +43,7 @@ pub struct Corner {
     loads: Option<WheelLoads>,
     load: Load,
     elements: Vec<Channel>,
+    vehicle: Vehicle,
     side: Side,
     axes: Axes,
 }
@@ -75,9 +77,17 @@ impl Corner {
         let elements = element_channels(stand.mechanism(), stand.system().expansion())
             .into_iter()
             .filter(|channel| channel.force().is_some_and(|force| force.index() < own_forces));
-        let (side, axes) = (model.side, model.axes);
-        let (elements, load) = (elements.collect(), Load::default());
-        Ok(Self { suspension, setup: *setup, stand, loads, load, elements, side, axes })
+        Ok(Self {
+            elements: elements.collect(),
+            load: Load::default(),
+            setup: *setup,
+            vehicle: model.vehicle,
+            side: model.side,
+            axes: model.axes,
+            suspension,
+            stand,
+            loads,
+        })
     }
 
     /// Degrees of freedom, redundant equations and free motions.
@@ -85,13 +95,14 @@ impl Corner {
         self.stand.freedom()
     }
 
-    /// The free motions that move the wheel or its steer axis; with one of them their position
+    /// The free motions that move the wheel, its steer axis or its spring; with one of them their position
     /// is not determined by travel and rack. Where the model has forces they hold what joints
     /// leave free, or there is no equilibrium.
     pub fn free_wheel_motions(&self) -> impl Iterator<Item = &FreeMotion> {
-        let Suspension { wheel, steer_axis, .. } = &self.suspension;
+        let Suspension { wheel, steer_axis, spring, .. } = &self.suspension;
         let steer_axis = steer_axis.iter().flat_map(|axis| [axis.lower.1, axis.upper.1]);
-        let bodies: Vec<BodyId> = steer_axis.chain([wheel.body]).collect();
+        let spring = spring.iter().flat_map(|spring| spring.ends.map(|(_, body)| body));
+        let bodies: Vec<BodyId> = steer_axis.chain(spring).chain([wheel.body]).collect();
         let kinematic = self.loads.is_none();
         let motions = self.freedom().free_motions.iter();
         motions.filter(move |motion| {
@@ -160,14 +171,14 @@ impl Corner {
         &self.elements
     }
 
-    /// Where wheel and steer axis are, and what the wheel carries.
+    /// Where wheel, steer axis and spring are, how they move, and what the wheel carries.
     pub fn pose(&mut self) -> Pose<f64> {
-        let load = self.wheel_load();
-        Pose { load, ..self.pose_at(self.stand.state()) }
+        let (load, motions) = (self.wheel_load(), self.motions());
+        Pose { load, motions, ..self.pose_at(self.stand.state()) }
     }
 
-    /// Where wheel and steer axis are at a state of the mechanism, with drivers that are held where
-    /// they are. What the wheel carries is not known there.
+    /// Where wheel, steer axis and spring are at a state of the mechanism, with drivers that are held
+    /// where they are. How they move and what the wheel carries is not known there.
     ///
     /// # Panics
     /// If the state belongs to another mechanism.
@@ -175,18 +186,16 @@ impl Corner {
         let wheel = &self.suspension.wheel;
         let mechanism = self.stand.mechanism();
         let turned = rotation(state, wheel.body);
-        let point =
-            |(point, body): (PointId, BodyId)| point_position(mechanism, state, body, point);
+        let point = |(point, body)| point_position(mechanism, state, body, point);
         let center = point((wheel.center, wheel.body));
+        let chassis = self.suspension.chassis.index();
+        let sunk = state[chassis][2] - mechanism.bodies()[chassis].origin[2];
+        let at_design =
+            |point: PointId| add(mechanism.points()[point.index()].position, [0.0, 0.0, sunk]);
         let driven = |driver| self.stand.driver_value(driver);
         let travel = match self.setup.support {
             WheelSupport::Held => driven(self.suspension.travel),
-            WheelSupport::Free => {
-                let design = mechanism.points()[wheel.center.index()].position;
-                let chassis = self.suspension.chassis.index();
-                let sunk = state[chassis][2] - mechanism.bodies()[chassis].origin[2];
-                center[2] - design[2] - sunk
-            }
+            WheelSupport::Free => center[2] - at_design(wheel.center)[2],
         };
         Pose {
             travel,
@@ -200,11 +209,53 @@ impl Corner {
             steer_axis: self
                 .suspension
                 .steer_axis
-                .map(|axis| Axle { lower: point(axis.lower), upper: point(axis.upper) }),
+                .map(|axis| Line { from: point(axis.lower), to: point(axis.upper) }),
+            spring: self.suspension.spring.map(|spring| {
+                let [from, to] = spring.ends.map(point);
+                Line { from, to }
+            }),
+            design: Design {
+                wheel: Wheel {
+                    center: at_design(wheel.center),
+                    spin: wheel.spin_axis,
+                    radius: wheel.radius,
+                },
+                spring: self.suspension.spring.map(|spring| {
+                    let [from, to] = spring.ends.map(|(point, _)| at_design(point));
+                    Line { from, to }
+                }),
+            },
+            motions: None,
             load: None,
+            vehicle: self.vehicle,
             side: self.side,
             axes: self.axes,
         }
+    }
+
+    /// How the corner moves with its drivers.
+    fn motions(&mut self) -> Option<Motions<f64>> {
+        let Suspension { travel, rack, .. } = self.suspension;
+        let travel = self.motion(travel)?;
+        Some(Motions { travel, rack: rack.and_then(|rack| self.motion(rack)) })
+    }
+
+    fn motion(&mut self, driver: DriverId) -> Option<Motion<f64>> {
+        let Suspension { mechanism, wheel, steer_axis, spring, chassis, .. } = &self.suspension;
+        let tangent = self.stand.tangent(driver)?;
+        let twist = |body| tangent.twist(body).minus(&tangent.twist(*chassis));
+        let velocity = |(point, body): (PointId, BodyId)| {
+            twist(body).at(point_position(mechanism, tangent.state(), body, point))
+        };
+        Some(Motion {
+            wheel: twist(wheel.body),
+            steer_axis: steer_axis
+                .map(|axis| Line { from: velocity(axis.lower), to: velocity(axis.upper) }),
+            spring: spring.map(|spring| {
+                let [from, to] = spring.ends.map(velocity);
+                Line { from, to }
+            }),
+        })
     }
 
     /// The vertical force on the wheel and how it grows with the travel.

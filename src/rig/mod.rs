@@ -5,6 +5,7 @@
 
 mod channel;
 mod corner;
+mod line;
 mod load;
 mod pose;
 mod stand;
@@ -12,7 +13,8 @@ mod sweep;
 
 pub use channel::Channel;
 pub use corner::{Corner, RigError};
+pub use line::{Line, Wheel};
 pub use load::{LOAD_COMPONENTS, Load, LoadPoint};
-pub use pose::{Axle, Pose, Wheel, WheelLoad};
+pub use pose::{Design, Motion, Motions, Pose, WheelLoad};
 pub use stand::Stand;
 pub use sweep::{Event, Held, Row, Specimen, Sweep, SweepPlan};
