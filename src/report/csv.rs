@@ -25,7 +25,7 @@ impl SweepReport<'_> {
 
 /// The error of the writer itself, whose kind the conversion of the csv crate would lose:
 /// a closed pipe has to stay a closed pipe.
-fn of_the_writer(error: csv::Error) -> io::Error {
+pub(super) fn of_the_writer(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,
         other => io::Error::other(format!("{other:?}")),

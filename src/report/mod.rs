@@ -1,15 +1,17 @@
 //! Sweeps as text: a table for people, CSV and JSON for programs.
 
 mod csv;
+mod factors;
 mod json;
 mod settle;
 mod statics;
 mod table;
 
+pub use factors::{FactorSheet, write_definitions};
 pub use settle::{SettleReport, SettleRow};
 pub use statics::StaticsReport;
 
-use crate::factors::{FACTORS, Factor};
+use crate::factors::{Convention, Definition, Factor, basic};
 use crate::model::{Axes, Drive, Quantity, Side, Units};
 use crate::rig::{Event, Row, Sweep, SweepPlan};
 
@@ -36,6 +38,11 @@ pub struct SweepReport<'a> {
     pub sweep: &'a Sweep,
     /// Whether forces and moments of joints are shown.
     pub reactions: bool,
+    /// The factors that are shown; otherwise those of [`BASIC`](crate::factors::BASIC) that there are, and what force
+    /// elements carry.
+    pub factors: Option<&'a [&'static Factor]>,
+    /// By whose definitions.
+    pub convention: Convention,
 }
 
 /// One column of a report.
@@ -62,7 +69,7 @@ enum From {
 impl Column {
     /// Name and unit.
     fn header(&self, units: Units) -> String {
-        format!("{}_{}", self.name, self.quantity.symbol(units))
+        self.quantity.column(&self.name, units)
     }
 }
 
@@ -88,18 +95,29 @@ impl SweepReport<'_> {
         let has = |factor: &&Factor| {
             let mut poses = self.sweep.rows.iter().filter_map(|row| row.pose.as_ref());
             let shown = self.sweep.rows.is_empty() && self.side.is_some();
-            shown || poses.any(|pose| (factor.value)(pose).is_some())
+            shown || poses.any(|pose| factor.value(self.convention, pose).is_some())
         };
-        columns.extend(FACTORS.iter().filter(has).map(|factor| Column {
-            name: factor.name.into(),
-            title: factor.title.into(),
-            quantity: factor.quantity,
-            sign: factor.sign.into(),
-            formula: factor.formula.into(),
-            source: factor.source.into(),
-            from: From::Factor(factor),
+        let shown: Vec<&'static Factor> = match self.factors {
+            Some(factors) => factors.to_vec(),
+            None => basic().filter(has).collect(),
+        };
+        columns.extend(shown.into_iter().map(|factor| {
+            let Definition { sign, formula, source, .. } = factor.by(self.convention);
+            Column {
+                name: factor.name.into(),
+                title: factor.title.into(),
+                quantity: factor.quantity,
+                sign: sign.into(),
+                formula: formula.into(),
+                source: source.into(),
+                from: From::Factor(factor),
+            }
         }));
-        let joints = if self.reactions { usize::MAX } else { self.sweep.element_channels };
+        let joints = match (self.reactions, self.factors) {
+            (true, _) => usize::MAX,
+            (false, None) => self.sweep.element_channels,
+            (false, Some(_)) => 0,
+        };
         let channels = self.sweep.channels.iter().enumerate().take(joints);
         columns.extend(channels.map(|(index, channel)| Column {
             name: channel.name.clone(),
@@ -113,12 +131,28 @@ impl SweepReport<'_> {
         columns
     }
 
+    /// Why columns that were asked for are empty, in words.
+    pub fn empty_columns(&self) -> Vec<String> {
+        let Some(pose) = self.sweep.rows.iter().find_map(|row| row.pose.as_ref()) else {
+            return vec![];
+        };
+        let why = |factor: &&Factor| {
+            let name = factor.name;
+            if let Some(axle) = factor.axle.filter(|_| !factor.applies(pose)) {
+                return Some(format!("`{name}` belongs to a {} axle", axle.name()));
+            }
+            let missing: Vec<_> = factor.missing(pose).collect();
+            (!missing.is_empty()).then(|| format!("`{name}` needs {}", factors::words(&missing)))
+        };
+        self.factors.into_iter().flatten().filter_map(why).collect()
+    }
+
     /// The values of a row in the units of the model, to 15 significant digits: what lies
     /// behind them is only the change of units, such as 179.99999999999994 mm for 0.18 m.
     fn values(&self, columns: &[Column], row: &Row) -> Vec<Option<f64>> {
         let units = self.units;
         let value = |column: &Column| match column.from {
-            From::Factor(factor) => factor.show(units, row.pose.as_ref()?),
+            From::Factor(factor) => factor.show_by(self.convention, units, row.pose.as_ref()?),
             From::Plan => Some(column.quantity.show(units, row.value)),
             From::Channel(channel) => Some(column.quantity.show(units, row.channels[channel])),
         };

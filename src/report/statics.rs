@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::rounded;
 use super::table::cell;
-use crate::factors::FACTORS;
+use crate::factors::basic;
 use crate::mechanism::ForceKind;
 use crate::model::{Axes, Quantity, Units};
 use crate::rig::{Channel, Pose};
@@ -50,7 +50,7 @@ impl StaticsReport<'_> {
         writeln!(writer, "{}", self.how())?;
         if let Some(pose) = self.pose {
             writeln!(writer, "\nwheel")?;
-            for factor in FACTORS {
+            for factor in basic() {
                 if let Some(value) = factor.show(self.units, pose) {
                     let unit = factor.quantity.symbol(self.units);
                     let value = cell(Some(value));
@@ -116,7 +116,7 @@ impl StaticsReport<'_> {
             };
             Value::Object(lines.into_iter().map(entry).collect::<Map<_, _>>())
         };
-        let factors = FACTORS.iter().filter_map(|factor| {
+        let factors = basic().filter_map(|factor| {
             let value = factor.show(self.units, self.pose?)?;
             Some((factor.column(self.units), json!(rounded(value))))
         });

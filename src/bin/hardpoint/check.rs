@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use hardpoint::factors::FACTORS;
+use hardpoint::factors::basic;
 use hardpoint::mechanism::BodyId;
 use hardpoint::model::{Axes, Document, MechanismModel, Model, Setup};
 use hardpoint::rig::{Corner, Pose, Stand};
@@ -67,7 +67,7 @@ fn suspension(
     parts(writer, corner.stand(), model.axes)?;
     writeln!(writer)?;
     writeln!(writer, "at the design position:")?;
-    for factor in FACTORS {
+    for factor in basic() {
         if let Some(value) = factor.show(units, pose) {
             let unit = factor.quantity.symbol(units);
             // Rounding noise of a value that is zero at design would only distract.

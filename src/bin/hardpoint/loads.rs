@@ -1,7 +1,7 @@
 //! Options that say how a corner stands on the rig.
 
 use clap::{Args, ValueEnum};
-use hardpoint::model::{Chassis, Drive, Model, Quantity, Setup, WheelSupport};
+use hardpoint::model::{Chassis, Drive, Model, Quantity, Setup, Units, WheelSupport};
 use hardpoint::rig::{LOAD_COMPONENTS, Load, LoadPoint};
 
 use crate::failure::Failure;
@@ -80,6 +80,23 @@ impl RigOptions {
         }
         Ok(load)
     }
+}
+
+/// No suspension travels farther (m).
+pub const FARTHEST: f64 = 1e3;
+
+/// A length of an option in metres, zero where it is not given.
+pub fn length(option: &str, value: Option<f64>, units: Units) -> Result<f64, Failure> {
+    let metres = value.map_or(0.0, |value| units.length.to_metres(value));
+    if !metres.is_finite() {
+        return Err(Failure::Usage(format!("{option} is not a finite number")));
+    }
+    if metres.abs() > FARTHEST {
+        return Err(Failure::Usage(format!(
+            "{option} is more than a kilometre; lengths are in the unit of the model"
+        )));
+    }
+    Ok(metres)
 }
 
 /// The component of a name.

@@ -2,6 +2,7 @@
 
 mod check;
 mod equilibrium;
+mod factors;
 mod failure;
 mod loads;
 mod output;
@@ -40,6 +41,7 @@ Exit codes:
 enum Command {
     Check(check::Check),
     Equilibrium(equilibrium::Equilibrium),
+    Factors(factors::Factors),
     Settle(settle::Settle),
     Sweep(sweep::Sweep),
 }
@@ -48,6 +50,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Check(command) => command.run(),
         Command::Equilibrium(command) => command.run(),
+        Command::Factors(command) => command.run(),
         Command::Settle(command) => command.run(),
         Command::Sweep(command) => command.run(),
     };

@@ -5,6 +5,7 @@ use std::io::{self, BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
+use hardpoint::factors::Convention;
 use hardpoint::model::{Axes, Drive, Side};
 
 use crate::failure::Failure;
@@ -41,6 +42,29 @@ impl From<DriveName> for Drive {
         match drive {
             DriveName::WheelCenter => Self::WheelCenter,
             DriveName::ContactPatch => Self::ContactPatch,
+        }
+    }
+}
+
+/// Whose definitions of factors are followed where programs differ.
+#[derive(Clone, Copy, Default, ValueEnum)]
+pub enum ConventionName {
+    /// ISO 8855.
+    #[default]
+    Iso,
+    /// Adams/Car.
+    Adams,
+    /// Lotus Suspension Analysis: camber as seen from the front, gradients by the patch, trails
+    /// from the wheel centre, the height of the centre of gravity less the bump.
+    Lotus,
+}
+
+impl From<ConventionName> for Convention {
+    fn from(convention: ConventionName) -> Self {
+        match convention {
+            ConventionName::Iso => Self::Iso,
+            ConventionName::Adams => Self::Adams,
+            ConventionName::Lotus => Self::Lotus,
         }
     }
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use clap::Args;
-use hardpoint::factors::FACTORS;
+use hardpoint::factors::{Convention, Factor, basic};
 use hardpoint::mechanism::DriverId;
 use hardpoint::model::{
     Axes, Chassis, Document, MechanismModel, Model, Quantity, Units, WheelSupport,
@@ -135,7 +135,7 @@ impl Settle {
         };
         let end = corner.pose_at(dynamics.state());
         let rest = corner.pose_at(corner.equilibrium().state());
-        let shown = FACTORS.iter().filter(|factor| {
+        let shown = basic().filter(|factor| {
             let input = ["travel", "rack"].contains(&factor.name);
             !input && matches!(factor.quantity, Quantity::Length | Quantity::Angle)
         });
@@ -144,8 +144,11 @@ impl Settle {
                 Some(SettleRow {
                     title: factor.title.to_owned(),
                     quantity: factor.quantity,
-                    dynamic: (factor.value)(&end)?,
-                    quasi_static: equilibrium.is_ok().then(|| (factor.value)(&rest)).flatten(),
+                    dynamic: factor.value(Convention::Iso, &end)?,
+                    quasi_static: equilibrium
+                        .is_ok()
+                        .then(|| factor.value(Convention::Iso, &rest))
+                        .flatten(),
                 })
             })
             .collect();
@@ -276,9 +279,8 @@ impl Recorder<'_> {
         let mut values = vec![];
         if let Some(corner) = self.corner {
             let pose = corner.pose_at(dynamics.state());
-            let value = |factor: &'static hardpoint::factors::Factor| {
-                factor.show(self.units, &pose).unwrap_or(f64::NAN)
-            };
+            let value =
+                |factor: &'static Factor| factor.show(self.units, &pose).unwrap_or(f64::NAN);
             values.extend(kinematic().map(value));
         }
         let loaded = dynamics.loaded();
@@ -293,6 +295,6 @@ impl Recorder<'_> {
 }
 
 /// The factors that a moving wheel has.
-fn kinematic() -> impl Iterator<Item = &'static hardpoint::factors::Factor> {
-    FACTORS.iter().filter(|f| matches!(f.quantity, Quantity::Length | Quantity::Angle))
+fn kinematic() -> impl Iterator<Item = &'static Factor> {
+    basic().filter(|f| matches!(f.quantity, Quantity::Length | Quantity::Angle))
 }

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use hardpoint::factors::{self, Convention, Factor};
 use hardpoint::mechanism::DriverId;
 use hardpoint::model::{
     Axes, Chassis, Document, MechanismModel, Model, Quantity, Units, WheelSupport,
@@ -12,15 +13,12 @@ use hardpoint::rig::{self, Corner, Held, Specimen, Stand, SweepPlan};
 
 use crate::failure::Failure;
 use crate::load;
-use crate::loads::{self, RigOptions};
-use crate::output::{Format, Output, SideName, axes_of_words};
+use crate::loads::{self, FARTHEST, RigOptions};
+use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
 use crate::progress::Progress;
 
 /// More states than this are a mistake in the step.
 const MOST_STATES: f64 = 1e6;
-
-/// No suspension travels farther (m).
-const FARTHEST: f64 = 1e3;
 
 /// Move the wheel, the rack, a load or a driver through an event and list every state.
 ///
@@ -38,6 +36,7 @@ Examples:
   hardpoint sweep models/lotus-front.toml --drive contact-patch --from -37.5 --to 37.5 --step 7.5
   hardpoint sweep models/adams-tr-front.toml --rack 5 --from -10 --to 10 --side right
   hardpoint sweep models/double-wishbone.toml --event steer --travel 20 -o steer.csv
+  hardpoint sweep models/double-wishbone.toml --columns travel,bump_steer,rc_height,anti_dive
   hardpoint sweep models/quarter-car.toml --reactions -o forces.csv
   hardpoint sweep models/bushed-double-wishbone.toml --event load --vary fx --from -2000 --to 2000 --step 500
   hardpoint sweep models/four-bar.toml --driver crank --from 0 --to 360 --step 10")]
@@ -71,6 +70,13 @@ pub struct Sweep {
     travel: Option<f64>,
     #[command(flatten)]
     rig: RigOptions,
+    /// The factors to list, by the names of `hardpoint factors --list`: toe,camber,rc_height; otherwise the
+    /// place and orientation of the wheel, and what springs and bushings carry.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    columns: Option<Vec<String>>,
+    /// Whose definitions of factors to follow where programs differ [default: iso].
+    #[arg(long, value_enum)]
+    convention: Option<ConventionName>,
     /// List the forces and moments of joints, too.
     #[arg(long)]
     reactions: bool,
@@ -117,6 +123,7 @@ impl Sweep {
         if self.driver.is_some() {
             return usage("--driver belongs to mechanism files; a suspension has --event");
         }
+        let columns = self.columns()?;
         let event = self.event.unwrap_or(EventName::Travel);
         if self.vary.is_some() && event != EventName::Load {
             return usage("--vary belongs to --event load");
@@ -146,6 +153,8 @@ impl Sweep {
             plan: &plan,
             sweep: &sweep,
             reactions: self.reactions,
+            factors: columns.as_deref(),
+            convention: self.convention.unwrap_or_default().into(),
         })
     }
 
@@ -155,6 +164,8 @@ impl Sweep {
             (self.vary.is_some(), "--vary"),
             (self.rack.is_some(), "--rack"),
             (self.travel.is_some(), "--travel"),
+            (self.columns.is_some(), "--columns"),
+            (self.convention.is_some(), "--convention"),
         ];
         if let Some((_, option)) = suspension.iter().find(|(given, _)| *given) {
             return usage(format!("{option} belongs to suspensions; this file is a mechanism"));
@@ -194,7 +205,18 @@ impl Sweep {
             plan: &plan,
             sweep: &sweep,
             reactions: self.reactions,
+            factors: None,
+            convention: Convention::Iso,
         })
+    }
+
+    /// The factors of `--columns`.
+    fn columns(&self) -> Result<Option<Vec<&'static Factor>>, Failure> {
+        let Some(names) = &self.columns else { return Ok(None) };
+        let find = |name: &String| {
+            factors::find(name.trim()).map_err(|unknown| Failure::Usage(unknown.to_string()))
+        };
+        names.iter().map(find).collect::<Result<_, _>>().map(Some)
     }
 
     fn driver_of(&self, model: &MechanismModel) -> Result<DriverId, Failure> {
@@ -227,6 +249,9 @@ impl Sweep {
     }
 
     fn write(&self, report: &SweepReport) -> Result<(), Failure> {
+        for why in report.empty_columns() {
+            eprintln!("warning: {why}; its column is empty");
+        }
         let named = self.output.as_deref().and_then(Format::of);
         let output = self.output.clone().map_or(Output::Stdout, Output::File);
         output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
