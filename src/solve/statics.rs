@@ -100,9 +100,17 @@ pub enum StaticFailure {
         /// What may be wrong.
         hint: String,
     },
+    /// Drivers that cannot go on.
+    #[error("no equilibrium was found beyond {:.1} % of the way; {hint}", .reached * 100.0)]
+    Stuck {
+        /// The part of the way of the drivers that could be followed.
+        reached: f64,
+        /// What may be wrong.
+        hint: String,
+    },
     /// A tyre that carries nothing.
     #[error(
-        "tyre {tyre} is in the air, {gap_mm:.3} mm above the ground: lower the wheel, raise the ground, \
+        "the tyre `{tyre}` is in the air, {gap_mm:.3} mm above the ground: lower the wheel, raise the ground, \
          or hold the wheel with a driver"
     )]
     Airborne {
@@ -145,7 +153,9 @@ impl Equilibrium {
         let reached = self.step_loads(&mut report);
         self.problem.held = 0.0;
         if reached < 1.0 && !self.relax(&start, &mut report) {
-            return Err(self.no_equilibrium(reached));
+            return Err(
+                self.no_equilibrium(reached, "the loads may be more than the mechanism can hold")
+            );
         }
         self.judge(&mut report)?;
         Ok(report)
@@ -178,7 +188,13 @@ impl Equilibrium {
             self.set_drivers(targets, &from, t);
             dt = 0.5 * (next - t);
             if dt < SHORTEST {
-                return Err(self.no_equilibrium(t));
+                let hint = "the joints may be at the end of their travel";
+                return Err(match self.no_equilibrium(t, hint) {
+                    StaticFailure::NoConvergence { reached, hint, .. } => {
+                        StaticFailure::Stuck { reached, hint }
+                    }
+                    failure => failure,
+                });
             }
         }
         self.judge(&mut report)?;
@@ -310,11 +326,8 @@ impl Equilibrium {
         problem.kkt.elements_mut().accept();
         let problem = &self.problem;
         for (equation, (phi, size)) in problem.phi.iter().zip(&problem.sizes).enumerate() {
-            let owner = self.expansion.owner(equation);
-            let released =
-                matches!(owner, Owner::Driver(driver) if self.released.contains(&driver));
             let relative = (phi / size).abs();
-            if !released && (relative.is_nan() || relative > CONSISTENT) {
+            if !self.is_released(equation) && (relative.is_nan() || relative > CONSISTENT) {
                 let equation = self.expansion.label(equation).to_owned();
                 return Err(StaticFailure::Inconsistent { equation, residual: *phi });
             }
@@ -364,7 +377,7 @@ impl Equilibrium {
     }
 
     /// Says why there is no equilibrium, from the state where the search ended.
-    fn no_equilibrium(&mut self, reached: f64) -> StaticFailure {
+    fn no_equilibrium(&mut self, reached: f64, hint: &str) -> StaticFailure {
         if let Err(failure) = self.check_values() {
             return failure;
         }
@@ -372,8 +385,13 @@ impl Equilibrium {
         problem.held = 0.0;
         problem.damping = 0.0;
         let relative_residual = problem.linearise();
-        let mut hint = "the loads may be more than the mechanism can hold".to_owned();
-        if let Some(Softest { stiffness, motion, holds: false }) = softest(self) {
+        let mut hint = hint.to_owned();
+        if let Err(StaticFailure::Airborne { tyre, .. }) = self.check_tyres() {
+            // What else is wrong there follows from it.
+            hint = format!(
+                "the tyre `{tyre}` has left the ground: check the loads and the height of the ground"
+            );
+        } else if let Some(Softest { stiffness, motion, holds: false }) = softest(self) {
             if stiffness >= 0.0 {
                 return StaticFailure::FreeMotion { motion };
             }
