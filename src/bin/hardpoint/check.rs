@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use hardpoint::factors::FACTORS;
-use hardpoint::mechanism::BodyId;
+use hardpoint::mechanism::{BodyId, Force};
 use hardpoint::model::{Axes, Document, MechanismModel, Model, Setup};
 use hardpoint::rig::{Corner, Pose, Stand};
 
@@ -64,7 +64,7 @@ fn suspension(
     let radius = units.length.from_metres(model.wheel_radius);
     writeln!(writer, "wheel radius   {radius} {length}")?;
     writeln!(writer)?;
-    parts(writer, corner.stand(), model.axes)?;
+    parts(writer, corner.stand(), corner.own_forces(), model.axes)?;
     writeln!(writer)?;
     writeln!(writer, "at the design position:")?;
     for factor in FACTORS {
@@ -83,7 +83,7 @@ fn mechanism(writer: &mut dyn Write, model: &MechanismModel, stand: &Stand) -> i
     let units = model.units;
     writeln!(writer, "units          {}, {}", units.length.symbol(), units.angle.symbol())?;
     writeln!(writer)?;
-    parts(writer, stand, Axes::Iso8855)
+    parts(writer, stand, stand.mechanism().forces(), Axes::Iso8855)
 }
 
 fn header(writer: &mut dyn Write, name: &str, description: Option<&str>) -> io::Result<()> {
@@ -95,20 +95,19 @@ fn header(writer: &mut dyn Write, name: &str, description: Option<&str>) -> io::
 }
 
 /// Joints and force elements, then what they leave free.
-fn parts(writer: &mut dyn Write, stand: &Stand, axes: Axes) -> io::Result<()> {
+fn parts(writer: &mut dyn Write, stand: &Stand, forces: &[Force], axes: Axes) -> io::Result<()> {
     let mechanism = stand.mechanism();
-    // What the rig puts on the wheel is no part of the model.
-    let forces = || mechanism.forces().iter().filter(|force| !force.name.starts_with("load_"));
     let names = mechanism.joints().iter().map(|joint| &joint.name);
     let names = names.chain(mechanism.drivers().iter().map(|driver| &driver.name));
-    let width = names.chain(forces().map(|force| &force.name)).map(|name| name.chars().count());
+    let width =
+        names.chain(forces.iter().map(|force| &force.name)).map(|name| name.chars().count());
     let width = width.max().unwrap_or(0);
     let body = |id: BodyId| mechanism.bodies()[id.index()].name.as_str();
     for joint in mechanism.joints() {
         let (kind, i, j) = (joint.kind.name(), body(joint.i), body(joint.j));
         writeln!(writer, "{:<width$}  {kind:<13}  {i}–{j}", joint.name)?;
     }
-    for force in forces() {
+    for force in forces {
         let (kind, i, j) = (force.kind.name(), body(force.i), body(force.j));
         writeln!(writer, "{:<width$}  {kind:<13}  {i}–{j}", force.name)?;
     }
@@ -117,7 +116,7 @@ fn parts(writer: &mut dyn Write, stand: &Stand, axes: Axes) -> io::Result<()> {
     writeln!(writer, "{freedom}{}", axes_of_words(axes, &freedom))?;
     if stand.freedom().is_exact() {
         writeln!(writer, "no redundant equations, no free motions")?;
-    } else if forces().next().is_some() && !stand.freedom().free_motions.is_empty() {
+    } else if !forces.is_empty() && !stand.freedom().free_motions.is_empty() {
         writeln!(writer, "what joints leave free, forces may hold: see `hardpoint equilibrium`")?;
     }
     Ok(())
