@@ -39,9 +39,11 @@
 //!
 //! # A mechanism of one's own
 //!
-//! [`mechanism::Mechanism`] takes bodies, points, joints and drivers;
-//! [`solve::System`] analyses it, says what is redundant or free, and moves it. The
-//! example at [`solve::System`] swings a pendulum.
+//! [`mechanism::Mechanism`] takes bodies, points, joints, drivers, force elements and masses;
+//! [`solve::System`] analyses it, says what is redundant or free, and moves it;
+//! [`solve::equilibrium::Equilibrium`] finds where it rests and what its joints carry;
+//! [`solve::dynamics::Dynamics`] integrates its motion. The example at [`solve::System`] swings a
+//! pendulum by a driver, the one at [`solve::dynamics::Dynamics`] lets it swing.
 //!
 //! # Features
 //!

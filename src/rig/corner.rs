@@ -41,8 +41,8 @@ pub struct Corner {
     stand: Stand,
     loads: Option<WheelLoads>,
     load: Load,
-    elements: Vec<Channel>,
     own_forces: usize,
+    elements: Vec<Channel>,
     side: Side,
     axes: Axes,
 }
@@ -120,6 +120,11 @@ impl Corner {
         &self.stand
     }
 
+    /// The force elements of the model, without the loads that the rig puts on the wheel.
+    pub fn forces(&self) -> &[Force] {
+        &self.stand.mechanism().forces()[..self.own_forces]
+    }
+
     /// Whether the suspension has a rack.
     pub fn steers(&self) -> bool {
         self.suspension.rack.is_some()
@@ -159,11 +164,6 @@ impl Corner {
     /// Returns to the design position. The load on the wheel stays.
     pub fn reset(&mut self) {
         self.stand.reset();
-    }
-
-    /// The force elements of the model, without what the rig puts on the wheel.
-    pub fn own_forces(&self) -> &[Force] {
-        &self.stand.mechanism().forces()[..self.own_forces]
     }
 
     /// The channels of the rack and of force elements; none where the model has no forces.

@@ -101,10 +101,8 @@ pub enum StaticFailure {
         hint: String,
     },
     /// Drivers that cannot go on.
-    #[error("no equilibrium was found beyond {:.1} % of the way; {hint}", .reached * 100.0)]
+    #[error("no equilibrium was found on the rest of the way; {hint}")]
     Stuck {
-        /// The part of the way of the drivers that could be followed.
-        reached: f64,
         /// What may be wrong.
         hint: String,
     },
@@ -190,9 +188,7 @@ impl Equilibrium {
             if dt < SHORTEST {
                 let hint = "the joints may be at the end of their travel";
                 return Err(match self.no_equilibrium(t, hint) {
-                    StaticFailure::NoConvergence { reached, hint, .. } => {
-                        StaticFailure::Stuck { reached, hint }
-                    }
+                    StaticFailure::NoConvergence { hint, .. } => StaticFailure::Stuck { hint },
                     failure => failure,
                 });
             }
@@ -388,9 +384,7 @@ impl Equilibrium {
         let mut hint = hint.to_owned();
         if let Err(StaticFailure::Airborne { tyre, .. }) = self.check_tyres() {
             // What else is wrong there follows from it.
-            hint = format!(
-                "the tyre `{tyre}` has left the ground: check the loads and the height of the ground"
-            );
+            hint = format!("the tyre `{tyre}` has left the ground; check loads and ground");
         } else if let Some(Softest { stiffness, motion, holds: false }) = softest(self) {
             if stiffness >= 0.0 {
                 return StaticFailure::FreeMotion { motion };

@@ -141,7 +141,7 @@ impl Equilibrium {
         refuse_fixed_chassis(self.fixed_chassis)?;
         let released = released(&self.release, model)?;
         let mut stand = Stand::new(model.mechanism.clone(), &released, Axes::Iso8855)
-            .map_err(|error| self.cannot_stand(error.into()))?;
+            .map_err(|error| self.cannot_stand(error))?;
         let found = stand.rest().map_err(|failure| self.fails(failure, Axes::Iso8855))?;
         self.write(&StaticsReport {
             title: &model.name,
@@ -167,7 +167,7 @@ impl Equilibrium {
     }
 
     fn cannot_stand(&self, error: RigError) -> Failure {
-        Failure::Rig(self.model.display().to_string(), error)
+        Failure::Rig(self.model.display().to_string(), Box::new(error))
     }
 
     fn stopped(&self, stop: Stop, axes: Axes) -> Failure {

@@ -16,7 +16,7 @@ pub enum Failure {
     /// The model file has mistakes.
     Model(ModelDiagnostics),
     /// The model makes no mechanism that moves.
-    Rig(String, RigError),
+    Rig(String, Box<RigError>),
     /// There is no static equilibrium; the axes are those of the model.
     Static(String, StaticFailure, Axes),
     /// The motion cannot go on.

@@ -41,10 +41,10 @@ pub struct Settle {
     /// The model or mechanism file.
     model: PathBuf,
     /// How long the motion is followed (s).
-    #[arg(long, default_value_t = 5.0, value_name = "S")]
+    #[arg(long, default_value_t = 5.0, allow_negative_numbers = true, value_name = "S")]
     seconds: f64,
     /// Length of all steps (s) [default: as long as --tolerance allows].
-    #[arg(long, value_name = "S")]
+    #[arg(long, allow_negative_numbers = true, value_name = "S")]
     step: Option<f64>,
     /// Local error of a step, relative to the size of the mechanism.
     #[arg(long, default_value_t = 1e-8, value_name = "E", conflicts_with = "step")]
@@ -145,7 +145,7 @@ impl Settle {
             .collect();
         let title =
             format!("{}, {} side, {} axes", model.name, model.side.name(), model.axes.name());
-        self.tell(&title, (model.units, model.axes), &dynamics, &rows, equilibrium)?;
+        self.tell(&title, (model.units, model.axes), &dynamics, &rows, &equilibrium)?;
         self.end(trajectory, model.axes)
     }
 
@@ -154,7 +154,7 @@ impl Settle {
         refuse_fixed_chassis(self.fixed_chassis)?;
         let released = released(&self.release, model)?;
         let mut stand = Stand::new(model.mechanism.clone(), &released, Axes::Iso8855)
-            .map_err(|error| self.cannot_stand(error.into()))?;
+            .map_err(|error| self.cannot_stand(error))?;
         let equilibrium = stand.rest();
         let (units, axes) = (model.units, Axes::Iso8855);
         let mut dynamics = self.dynamics(&stand, &released, axes)?;
@@ -169,7 +169,7 @@ impl Settle {
             quasi_static: equilibrium.is_ok().then(|| channel.value(&rest, &[], axes)),
         };
         let rows: Vec<SettleRow> = stand.body_channels().iter().map(row).collect();
-        self.tell(&model.name, (units, axes), &dynamics, &rows, equilibrium)?;
+        self.tell(&model.name, (units, axes), &dynamics, &rows, &equilibrium)?;
         self.end(trajectory, axes)
     }
 
@@ -221,7 +221,7 @@ impl Settle {
         (units, axes): (Units, Axes),
         dynamics: &Dynamics,
         rows: &[SettleRow],
-        equilibrium: Result<StaticReport, StaticFailure>,
+        equilibrium: &Result<StaticReport, StaticFailure>,
     ) -> Result<(), Failure> {
         let failure = equilibrium.as_ref().err().map(|failure| {
             let words = failure.to_string();
@@ -236,7 +236,7 @@ impl Settle {
             energy: dynamics.energy(),
             speed: dynamics.largest_speed(),
             start: dynamics.start(),
-            equilibrium: match (&equilibrium, &failure) {
+            equilibrium: match (equilibrium, &failure) {
                 (Ok(found), _) => Ok(found),
                 (Err(_), failure) => Err(failure.as_deref().unwrap_or_default()),
             },
@@ -256,10 +256,13 @@ impl Settle {
     }
 
     fn cannot_stand(&self, error: RigError) -> Failure {
-        Failure::Rig(self.model.display().to_string(), error)
+        Failure::Rig(self.model.display().to_string(), Box::new(error))
     }
 
     fn fails(&self, failure: DynamicsFailure, axes: Axes) -> Failure {
+        if let DynamicsFailure::Setting { .. } = failure {
+            return Failure::Usage(failure.to_string());
+        }
         Failure::Motion(self.model.display().to_string(), failure, axes)
     }
 }

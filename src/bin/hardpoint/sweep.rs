@@ -129,7 +129,7 @@ impl Sweep {
         let setup = self.rig.setup(support, Chassis::Fixed);
         let load = self.rig.load(model)?;
         let mut corner = Corner::with_loads(model, &setup, self.rig.point())
-            .map_err(|error| Failure::Rig(self.model.display().to_string(), error))?;
+            .map_err(|error| Failure::Rig(self.model.display().to_string(), Box::new(error)))?;
         let (quantity, mut plan, name) = self.plan(event, model.units, corner.steers())?;
         plan.held.load = load;
         let sweep = self.states(&mut corner, &plan, model.axes);
@@ -163,7 +163,7 @@ impl Sweep {
         let quantity = if part.kind.unit() == "rad" { Quantity::Angle } else { Quantity::Length };
         let name = part.name.clone();
         let mut stand = Stand::new(model.mechanism.clone(), &[], Axes::Iso8855)
-            .map_err(|error| Failure::Rig(self.model.display().to_string(), error.into()))?;
+            .map_err(|error| Failure::Rig(self.model.display().to_string(), Box::new(error)))?;
         let (Some(from), Some(to)) = (self.from, self.to) else {
             return usage(format!(
                 "say the range of driver {name} in {} with --from and --to",
