@@ -2,13 +2,13 @@
 
 use thiserror::Error;
 
-use super::channel::{Channel, element_channels};
+use super::channel::{Channel, distinct, driver_channels, element_channels};
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::{Axle, Pose, Wheel, WheelLoad};
 use super::stand::Stand;
 use super::sweep::{Event, Specimen, SweepPlan};
 use crate::mechanism::{BodyId, Force, MechanismError, PointId};
-use crate::model::{Axes, Model, Setup, Side, Suspension, SuspensionError, WheelSupport};
+use crate::model::{Axes, Drive, Model, Setup, Side, Suspension, SuspensionError, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{
@@ -72,13 +72,18 @@ impl Corner {
             WheelSupport::Free => vec![suspension.travel],
         };
         let stand = Stand::new(suspension.mechanism.clone(), &released, model.axes)?;
-        // What the rig puts on the wheel is an input, not a result.
-        let elements = element_channels(stand.mechanism(), stand.system().expansion())
-            .into_iter()
-            .filter(|channel| channel.force().is_some_and(|force| force.index() < own_forces));
-        let (side, axes) = (model.side, model.axes);
-        let (elements, load) = (elements.collect(), Load::default());
-        Ok(Self { suspension, setup: *setup, stand, loads, load, own_forces, elements, side, axes })
+        let mut elements = vec![];
+        if loads.is_some() {
+            let (mechanism, expansion) = (stand.mechanism(), stand.system().expansion());
+            // The force of the travel driver is the wheel load, which is a factor.
+            elements.extend(driver_channels(mechanism, expansion, &[suspension.travel]));
+            // What the rig puts on the wheel is an input, not a result.
+            let own = |channel: &Channel| channel.force().is_some_and(|f| f.index() < own_forces);
+            elements.extend(element_channels(mechanism, expansion).into_iter().filter(own));
+            distinct(elements.iter_mut());
+        }
+        let (setup, load, side, axes) = (*setup, Load::default(), model.side, model.axes);
+        Ok(Self { suspension, setup, stand, loads, load, elements, own_forces, side, axes })
     }
 
     /// Degrees of freedom, redundant equations and free motions.
@@ -161,7 +166,7 @@ impl Corner {
         self.stand.reset();
     }
 
-    /// The channels of force elements; none where the model has no forces.
+    /// The channels of the rack and of force elements; none where the model has no forces.
     pub fn element_channels(&self) -> &[Channel] {
         &self.elements
     }
@@ -185,23 +190,27 @@ impl Corner {
             |(point, body): (PointId, BodyId)| point_position(mechanism, state, body, point);
         let center = point((wheel.center, wheel.body));
         let driven = |driver| self.stand.driver_value(driver);
+        let radius = wheel.radius;
+        let spin = turned.map(|row| dot(row, wheel.spin_axis));
+        let disc = Wheel { center, spin, radius };
         let travel = match self.setup.support {
             WheelSupport::Held => driven(self.suspension.travel),
             WheelSupport::Free => {
-                let design = mechanism.points()[wheel.center.index()].position;
+                let center = mechanism.points()[wheel.center.index()].position;
+                let design = Wheel { center, spin: wheel.spin_axis, radius };
+                let height = |wheel: &Wheel<f64>| match self.setup.drive {
+                    Drive::WheelCenter => wheel.center[2],
+                    Drive::ContactPatch => wheel.contact_patch()[2],
+                };
                 let chassis = self.suspension.chassis.index();
                 let sunk = state[chassis][2] - mechanism.bodies()[chassis].origin[2];
-                center[2] - design[2] - sunk
+                height(&disc) - height(&design) - sunk
             }
         };
         Pose {
             travel,
             rack: self.suspension.rack.map_or(0.0, driven),
-            wheel: Wheel {
-                center,
-                spin: turned.map(|row| dot(row, wheel.spin_axis)),
-                radius: wheel.radius,
-            },
+            wheel: disc,
             rotation: turned,
             steer_axis: self
                 .suspension

@@ -100,9 +100,15 @@ pub enum StaticFailure {
         /// What may be wrong.
         hint: String,
     },
+    /// Drivers that cannot go on.
+    #[error("no equilibrium was found on the rest of the way; {hint}")]
+    Stuck {
+        /// What may be wrong.
+        hint: String,
+    },
     /// A tyre that carries nothing.
     #[error(
-        "tyre {tyre} is in the air, {gap_mm:.3} mm above the ground: lower the wheel, raise the ground, \
+        "the tyre `{tyre}` is in the air, {gap_mm:.3} mm above the ground: lower the wheel, raise the ground, \
          or hold the wheel with a driver"
     )]
     Airborne {
@@ -145,7 +151,9 @@ impl Equilibrium {
         let reached = self.step_loads(&mut report);
         self.problem.held = 0.0;
         if reached < 1.0 && !self.relax(&start, &mut report) {
-            return Err(self.no_equilibrium(reached));
+            return Err(
+                self.no_equilibrium(reached, "the loads may be more than the mechanism can hold")
+            );
         }
         self.judge(&mut report)?;
         Ok(report)
@@ -178,7 +186,11 @@ impl Equilibrium {
             self.set_drivers(targets, &from, t);
             dt = 0.5 * (next - t);
             if dt < SHORTEST {
-                return Err(self.no_equilibrium(t));
+                let hint = "the joints may be at the end of their travel";
+                return Err(match self.no_equilibrium(t, hint) {
+                    StaticFailure::NoConvergence { hint, .. } => StaticFailure::Stuck { hint },
+                    failure => failure,
+                });
             }
         }
         self.judge(&mut report)?;
@@ -310,11 +322,8 @@ impl Equilibrium {
         problem.kkt.elements_mut().accept();
         let problem = &self.problem;
         for (equation, (phi, size)) in problem.phi.iter().zip(&problem.sizes).enumerate() {
-            let owner = self.expansion.owner(equation);
-            let released =
-                matches!(owner, Owner::Driver(driver) if self.released.contains(&driver));
             let relative = (phi / size).abs();
-            if !released && (relative.is_nan() || relative > CONSISTENT) {
+            if !self.is_released(equation) && (relative.is_nan() || relative > CONSISTENT) {
                 let equation = self.expansion.label(equation).to_owned();
                 return Err(StaticFailure::Inconsistent { equation, residual: *phi });
             }
@@ -364,7 +373,7 @@ impl Equilibrium {
     }
 
     /// Says why there is no equilibrium, from the state where the search ended.
-    fn no_equilibrium(&mut self, reached: f64) -> StaticFailure {
+    fn no_equilibrium(&mut self, reached: f64, hint: &str) -> StaticFailure {
         if let Err(failure) = self.check_values() {
             return failure;
         }
@@ -372,8 +381,11 @@ impl Equilibrium {
         problem.held = 0.0;
         problem.damping = 0.0;
         let relative_residual = problem.linearise();
-        let mut hint = "the loads may be more than the mechanism can hold".to_owned();
-        if let Some(Softest { stiffness, motion, holds: false }) = softest(self) {
+        let mut hint = hint.to_owned();
+        if let Err(StaticFailure::Airborne { tyre, .. }) = self.check_tyres() {
+            // What else is wrong there follows from it.
+            hint = format!("the tyre `{tyre}` has left the ground; check loads and ground");
+        } else if let Some(Softest { stiffness, motion, holds: false }) = softest(self) {
             if stiffness >= 0.0 {
                 return StaticFailure::FreeMotion { motion };
             }

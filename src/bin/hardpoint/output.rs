@@ -84,6 +84,18 @@ pub enum Output {
 }
 
 impl Output {
+    /// Where `-o` sends the result of a model, which must not take the place of the model.
+    pub fn beside(model: &Path, file: Option<&Path>) -> Result<Self, Failure> {
+        let Some(file) = file else { return Ok(Self::Stdout) };
+        let place = fs::canonicalize(file).ok();
+        if place.is_some() && place == fs::canonicalize(model).ok() {
+            return Err(Failure::Usage(
+                "-o would overwrite the model; name another file".to_owned(),
+            ));
+        }
+        Ok(Self::File(file.to_owned()))
+    }
+
     /// Writes all of it or nothing: a file takes its name only when it is complete.
     pub fn write(
         &self,

@@ -1,6 +1,5 @@
 //! `hardpoint settle`: let a model come to rest, and compare with its equilibrium.
 
-use std::fs;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -16,11 +15,11 @@ use hardpoint::solve::dynamics::{
 };
 use hardpoint::solve::{StaticFailure, StaticReport};
 
-use crate::equilibrium::released;
+use crate::equilibrium::{refuse_fixed_chassis, released};
 use crate::failure::Failure;
 use crate::load;
 use crate::loads::RigOptions;
-use crate::output::{Format, Output, SideName};
+use crate::output::{Format, Output, SideName, axes_of_words};
 
 /// More samples than this are a mistake in the interval.
 const MOST_SAMPLES: f64 = 1e6;
@@ -98,13 +97,8 @@ impl Settle {
         if samples > MOST_SAMPLES {
             return Err(Failure::Usage("--interval is too short: at most 1,000,000 lines".into()));
         }
-        if let Some(output) = &self.output
-            && fs::canonicalize(output)
-                .ok()
-                .is_some_and(|o| fs::canonicalize(&self.model).ok() == Some(o))
-        {
-            return Err(Failure::Usage("-o would overwrite the model; name another file".into()));
-        }
+        // Refused before the work is done.
+        Output::beside(&self.model, self.output.as_deref())?;
         match load(&self.model, self.side)? {
             Document::Suspension(model) => self.suspension(&model),
             Document::Mechanism(model) => self.mechanism(&model),
@@ -126,7 +120,7 @@ impl Settle {
         corner.set_load(&load);
         let travel = corner.suspension().travel;
         let equilibrium = corner.rest();
-        let mut dynamics = self.dynamics(corner.stand(), &[travel])?;
+        let mut dynamics = self.dynamics(corner.stand(), &[travel], model.axes)?;
         let trajectory = {
             let channels = corner.element_channels();
             let (units, axes) = (model.units, model.axes);
@@ -151,16 +145,19 @@ impl Settle {
             .collect();
         let title =
             format!("{}, {} side, {} axes", model.name, model.side.name(), model.axes.name());
-        self.tell(&title, model.units, &dynamics, &rows, &equilibrium, trajectory)
+        self.tell(&title, (model.units, model.axes), &dynamics, &rows, &equilibrium)?;
+        self.end(trajectory, model.axes)
     }
 
     fn mechanism(&self, model: &MechanismModel) -> Result<(), Failure> {
+        self.rig.refuse()?;
+        refuse_fixed_chassis(self.fixed_chassis)?;
         let released = released(&self.release, model)?;
         let mut stand = Stand::new(model.mechanism.clone(), &released, Axes::Iso8855)
             .map_err(|error| self.cannot_stand(error))?;
         let equilibrium = stand.rest();
-        let mut dynamics = self.dynamics(&stand, &released)?;
         let (units, axes) = (model.units, Axes::Iso8855);
+        let mut dynamics = self.dynamics(&stand, &released, axes)?;
         let channels: Vec<Channel> = [stand.body_channels(), stand.force_channels()].concat();
         let recorder = Recorder { units, axes, corner: None, channels: &channels };
         let trajectory = self.integrate(&mut dynamics, &recorder)?;
@@ -172,10 +169,16 @@ impl Settle {
             quasi_static: equilibrium.is_ok().then(|| channel.value(&rest, &[], axes)),
         };
         let rows: Vec<SettleRow> = stand.body_channels().iter().map(row).collect();
-        self.tell(&model.name, model.units, &dynamics, &rows, &equilibrium, trajectory)
+        self.tell(&model.name, (units, axes), &dynamics, &rows, &equilibrium)?;
+        self.end(trajectory, axes)
     }
 
-    fn dynamics(&self, stand: &Stand, released: &[DriverId]) -> Result<Dynamics, Failure> {
+    fn dynamics(
+        &self,
+        stand: &Stand,
+        released: &[DriverId],
+        axes: Axes,
+    ) -> Result<Dynamics, Failure> {
         let step = match self.step {
             Some(step) => StepSize::Fixed(step),
             None => StepSize::Adaptive { tolerance: self.tolerance, largest: 0.02 },
@@ -184,7 +187,8 @@ impl Settle {
         // Loads on the wheel are part of the laws.
         let laws = Some(stand.equilibrium().elements().laws());
         let start = Start { released, laws, ..Start::default() };
-        Dynamics::new(stand.system(), &start, integrator).map_err(|failure| self.fails(failure))
+        Dynamics::new(stand.system(), &start, integrator)
+            .map_err(|failure| self.fails(failure, axes))
     }
 
     /// Follows the motion; returns the lines of the CSV file.
@@ -195,9 +199,10 @@ impl Settle {
     ) -> Result<Trajectory<Vec<f64>>, Failure> {
         let plan = SettlePlan { until: self.seconds, interval: self.interval, rest: None };
         let trajectory = dynamics.settle(&plan, |dynamics| recorder.sample(dynamics));
-        let trajectory = trajectory.map_err(|failure| self.fails(failure))?;
-        if let Some(path) = &self.output {
-            Output::File(path.clone()).write(|writer| {
+        let trajectory = trajectory.map_err(|failure| self.fails(failure, recorder.axes))?;
+        let output = Output::beside(&self.model, self.output.as_deref())?;
+        if let Output::File(_) = output {
+            output.write(|writer| {
                 let mut csv = csv::Writer::from_writer(writer);
                 csv.write_record(recorder.header())?;
                 for (time, values) in &trajectory.samples {
@@ -213,13 +218,15 @@ impl Settle {
     fn tell(
         &self,
         title: &str,
-        units: Units,
+        (units, axes): (Units, Axes),
         dynamics: &Dynamics,
         rows: &[SettleRow],
         equilibrium: &Result<StaticReport, StaticFailure>,
-        trajectory: Trajectory<Vec<f64>>,
     ) -> Result<(), Failure> {
-        let failure = equilibrium.as_ref().err().map(ToString::to_string);
+        let failure = equilibrium.as_ref().err().map(|failure| {
+            let words = failure.to_string();
+            format!("{words}{}", axes_of_words(axes, &words))
+        });
         let report = SettleReport {
             title,
             units,
@@ -237,9 +244,13 @@ impl Settle {
         Output::Stdout.write(|writer| match self.format {
             Format::Json => report.write_json(writer),
             _ => report.write_text(writer),
-        })?;
+        })
+    }
+
+    /// A motion that stopped early is a failure, told behind what it got to.
+    fn end(&self, trajectory: Trajectory<Vec<f64>>, axes: Axes) -> Result<(), Failure> {
         match trajectory.stop {
-            Some(stop) => Err(self.fails(stop)),
+            Some(stop) => Err(self.fails(stop, axes)),
             None => Ok(()),
         }
     }
@@ -248,11 +259,11 @@ impl Settle {
         Failure::Rig(self.model.display().to_string(), Box::new(error))
     }
 
-    fn fails(&self, failure: DynamicsFailure) -> Failure {
+    fn fails(&self, failure: DynamicsFailure, axes: Axes) -> Failure {
         if let DynamicsFailure::Setting { .. } = failure {
             return Failure::Usage(failure.to_string());
         }
-        Failure::Motion(self.model.display().to_string(), failure)
+        Failure::Motion(self.model.display().to_string(), failure, axes)
     }
 }
 

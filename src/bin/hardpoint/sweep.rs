@@ -103,10 +103,8 @@ impl Sweep {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
         let document = load(&self.model, self.side)?;
-        let place = self.output.as_ref().and_then(|path| path.canonicalize().ok());
-        if place.is_some() && place == self.model.canonicalize().ok() {
-            return usage("-o would overwrite the model; name another file");
-        }
+        // Refused before the work is done.
+        Output::beside(&self.model, self.output.as_deref())?;
         match document {
             Document::Suspension(model) => self.corner(&model),
             Document::Mechanism(model) => self.mechanism(&model),
@@ -159,6 +157,7 @@ impl Sweep {
         if let Some((_, option)) = suspension.iter().find(|(given, _)| *given) {
             return usage(format!("{option} belongs to suspensions; this file is a mechanism"));
         }
+        self.rig.refuse()?;
         let driver = self.driver_of(model)?;
         let part = &model.mechanism.drivers()[driver.index()];
         let quantity = if part.kind.unit() == "rad" { Quantity::Angle } else { Quantity::Length };
@@ -228,7 +227,7 @@ impl Sweep {
 
     fn write(&self, report: &SweepReport) -> Result<(), Failure> {
         let named = self.output.as_deref().and_then(Format::of);
-        let output = self.output.clone().map_or(Output::Stdout, Output::File);
+        let output = Output::beside(&self.model, self.output.as_deref())?;
         output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
             Format::Table => report.write_table(writer),
             Format::Csv => report.write_csv(writer),
