@@ -167,31 +167,13 @@ impl Equilibrium {
     pub fn move_to(&mut self, targets: &[(DriverId, f64)]) -> Result<StaticReport, StaticFailure> {
         let mut report = StaticReport::default();
         let from: Vec<f64> = targets.iter().map(|&(driver, _)| self.driver_value(driver)).collect();
-        let (state, lambda) = (self.problem.state.clone(), self.problem.lambda.clone());
-        let mut saved = (state, lambda);
-        let (mut t, mut dt): (f64, f64) = (0.0, 1.0);
-        while t < 1.0 {
-            let next = if t + dt >= 1.0 - SHORTEST { 1.0 } else { t + dt };
-            self.set_drivers(targets, &from, next);
-            let outcome = self.newton_within_step(&mut report);
-            if outcome.converged() {
-                saved.0.copy_from_slice(&self.problem.state);
-                saved.1.copy_from_slice(&self.problem.lambda);
-                self.elements_mut().accept();
-                report.load_steps += 1;
-                (t, dt) = (next, 2.0 * dt);
-                continue;
-            }
-            self.restore(&saved);
-            self.set_drivers(targets, &from, t);
-            dt = 0.5 * (next - t);
-            if dt < SHORTEST {
-                let hint = "the joints may be at the end of their travel";
-                return Err(match self.no_equilibrium(t, hint) {
-                    StaticFailure::NoConvergence { hint, .. } => StaticFailure::Stuck { hint },
-                    failure => failure,
-                });
-            }
+        let reached = self.follow(&mut report, |it, t| it.set_drivers(targets, &from, t));
+        if reached < 1.0 {
+            let hint = "the joints may be at the end of their travel";
+            return Err(match self.no_equilibrium(reached, hint) {
+                StaticFailure::NoConvergence { hint, .. } => StaticFailure::Stuck { hint },
+                failure => failure,
+            });
         }
         self.judge(&mut report)?;
         Ok(report)
@@ -208,11 +190,17 @@ impl Equilibrium {
     fn step_loads(&mut self, report: &mut StaticReport) -> f64 {
         self.problem.measure();
         self.problem.hold_residual();
+        self.follow(report, |it, t| it.problem.held = 1.0 - t)
+    }
+
+    /// Follows the equilibrium while `set` goes from 0 to 1, in steps as large as Newton's method
+    /// takes them; returns where it got to. State and setting are then those that were reached.
+    fn follow(&mut self, report: &mut StaticReport, set: impl Fn(&mut Self, f64)) -> f64 {
         let mut saved = (self.problem.state.clone(), self.problem.lambda.clone());
         let (mut t, mut dt): (f64, f64) = (0.0, 1.0);
         while t < 1.0 {
             let next = if t + dt >= 1.0 - SHORTEST { 1.0 } else { t + dt };
-            self.problem.held = 1.0 - next;
+            set(self, next);
             if self.newton_within_step(report).converged() {
                 saved.0.copy_from_slice(&self.problem.state);
                 saved.1.copy_from_slice(&self.problem.lambda);
@@ -222,6 +210,7 @@ impl Equilibrium {
                 continue;
             }
             self.restore(&saved);
+            set(self, t);
             dt = 0.5 * (next - t);
             if dt < SHORTEST {
                 break;

@@ -12,7 +12,7 @@ use hardpoint::solve::{StaticFailure, Stop};
 use crate::failure::Failure;
 use crate::load;
 use crate::loads::RigOptions;
-use crate::output::{Format, Output, SideName, axes_of_words};
+use crate::output::{Output, Sheet, SideName, axes_of_words};
 
 /// Find the static equilibrium: pose, reactions of all joints, state of all springs and bushings.
 ///
@@ -51,7 +51,7 @@ pub struct Equilibrium {
     side: Option<SideName>,
     /// How to write the result [default: table, or what the ending of the file names].
     #[arg(long, value_enum)]
-    format: Option<Format>,
+    format: Option<Sheet>,
     /// Write to a file instead of the terminal.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -155,15 +155,15 @@ impl Equilibrium {
     }
 
     fn write(&self, report: &StaticsReport) -> Result<(), Failure> {
-        let named = self.output.as_deref().and_then(Format::of);
+        let named = match (self.format, self.output.as_deref()) {
+            (None, Some(path)) => Sheet::of(path)?,
+            _ => None,
+        };
         let output = Output::beside(&self.model, self.output.as_deref())?;
-        match self.format.or(named).unwrap_or(Format::Table) {
-            Format::Table => output.write(|writer| report.write_text(writer)),
-            Format::Json => output.write(|writer| report.write_json(writer)),
-            Format::Csv => Err(Failure::Usage(
-                "an equilibrium is no table of one kind of rows; use --format json".into(),
-            )),
-        }
+        output.write(|writer| match self.format.or(named).unwrap_or(Sheet::Table) {
+            Sheet::Table => report.write_text(writer),
+            Sheet::Json => report.write_json(writer),
+        })
     }
 
     fn cannot_stand(&self, error: RigError) -> Failure {

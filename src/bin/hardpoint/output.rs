@@ -56,6 +56,30 @@ pub enum Format {
     Json,
 }
 
+/// How a result is written that is no table of one kind of rows.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Sheet {
+    /// For people.
+    Table,
+    /// JSON to 15 significant digits.
+    Json,
+}
+
+impl Sheet {
+    /// The format that the ending of a file names.
+    pub fn of(path: &Path) -> Result<Option<Self>, Failure> {
+        match Format::of(path) {
+            Some(Format::Csv) => Err(Failure::Usage(
+                "this result is no table of one kind of rows; name a file that ends in .json or .txt"
+                    .into(),
+            )),
+            Some(Format::Json) => Ok(Some(Self::Json)),
+            Some(Format::Table) => Ok(Some(Self::Table)),
+            None => Ok(None),
+        }
+    }
+}
+
 impl Format {
     /// The format that the ending of a file names.
     pub fn of(path: &Path) -> Option<Self> {

@@ -19,10 +19,13 @@ use crate::equilibrium::{refuse_fixed_chassis, released};
 use crate::failure::Failure;
 use crate::load;
 use crate::loads::RigOptions;
-use crate::output::{Format, Output, SideName, axes_of_words};
+use crate::output::{Output, Sheet, SideName, axes_of_words};
 
 /// More samples than this are a mistake in the interval.
 const MOST_SAMPLES: f64 = 1e6;
+
+/// More steps than this are a mistake in their length.
+const MOST_STEPS: f64 = 1e7;
 
 /// Integrate the motion from the design position and compare its end with the equilibrium.
 ///
@@ -43,7 +46,8 @@ pub struct Settle {
     /// How long the motion is followed (s).
     #[arg(long, default_value_t = 5.0, allow_negative_numbers = true, value_name = "S")]
     seconds: f64,
-    /// Length of all steps (s) [default: as long as --tolerance allows].
+    /// Length of all steps (s), at most: a whole number of them makes --interval, or --seconds where
+    /// no motion is written [default: as long as --tolerance allows].
     #[arg(long, allow_negative_numbers = true, value_name = "S")]
     step: Option<f64>,
     /// Local error of a step, relative to the size of the mechanism.
@@ -69,9 +73,9 @@ pub struct Settle {
     /// Look at this side of the vehicle; the other side is the mirror image of the model.
     #[arg(long)]
     side: Option<SideName>,
-    /// How to write the table: table or json.
+    /// How to write the table.
     #[arg(long, value_enum, default_value = "table")]
-    format: Format,
+    format: Sheet,
 }
 
 /// What the columns of a motion are.
@@ -85,17 +89,15 @@ struct Recorder<'a> {
 impl Settle {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
-        if self.format == Format::Csv {
-            return Err(Failure::Usage(
-                "the table is no CSV; write the motion to a CSV file with -o".into(),
-            ));
-        }
         let samples = self.seconds / self.interval;
-        if !(samples.is_finite() && samples >= 0.0 && self.interval > 0.0) {
+        if !(samples.is_finite() && samples > 0.0 && self.interval > 0.0) {
             return Err(Failure::Usage("--seconds and --interval have to be above zero".into()));
         }
         if samples > MOST_SAMPLES {
             return Err(Failure::Usage("--interval is too short: at most 1,000,000 lines".into()));
+        }
+        if self.step.is_some_and(|step| self.seconds / step > MOST_STEPS) {
+            return Err(Failure::Usage("--step is too short: at most 10,000,000 steps".into()));
         }
         // Refused before the work is done.
         Output::beside(&self.model, self.output.as_deref())?;
@@ -197,7 +199,8 @@ impl Settle {
         dynamics: &mut Dynamics,
         recorder: &Recorder,
     ) -> Result<Trajectory<Vec<f64>>, Failure> {
-        let plan = SettlePlan { until: self.seconds, interval: self.interval, rest: None };
+        let interval = if self.output.is_some() { self.interval } else { self.seconds };
+        let plan = SettlePlan { until: self.seconds, interval, rest: None };
         let trajectory = dynamics.settle(&plan, |dynamics| recorder.sample(dynamics));
         let trajectory = trajectory.map_err(|failure| self.fails(failure, recorder.axes))?;
         let output = Output::beside(&self.model, self.output.as_deref())?;
@@ -242,8 +245,8 @@ impl Settle {
             },
         };
         Output::Stdout.write(|writer| match self.format {
-            Format::Json => report.write_json(writer),
-            _ => report.write_text(writer),
+            Sheet::Json => report.write_json(writer),
+            Sheet::Table => report.write_text(writer),
         })
     }
 
