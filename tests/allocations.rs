@@ -2,8 +2,10 @@
 
 mod common;
 
+use common::sedan::quarter_car;
 use common::{TieRod, double_wishbone};
 use hardpoint::solve::System;
+use hardpoint::solve::dynamics::{Dynamics, Integrator, Start};
 use hardpoint::solve::equilibrium::Equilibrium;
 
 #[test]
@@ -34,4 +36,18 @@ fn an_equilibrium_step_does_not_allocate_after_the_first() {
         equilibrium.newton_step();
     });
     assert_eq!(counted.count_total, 0);
+}
+
+#[test]
+fn a_motion_does_not_allocate_after_its_first_steps() {
+    let (car, _) = quarter_car();
+    let released = [car.travel];
+    let system = System::new(car.mechanism).unwrap();
+    let start = Start { released: &released, ..Start::default() };
+    for integrator in [Integrator::fixed(1e-3), Integrator::adaptive(1e-7)] {
+        let mut motion = Dynamics::new(&system, &start, integrator).unwrap();
+        motion.advance_to(0.1).unwrap();
+        let counted = allocation_counter::measure(|| motion.advance_to(1.0).unwrap());
+        assert_eq!(counted.count_total, 0);
+    }
 }

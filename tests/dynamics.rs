@@ -1,49 +1,20 @@
 //! Motion in time against closed forms, and what cannot move.
 
+mod common;
+
+use common::pendulum::{GRAVITY, PERIOD, Y, Z, difference, dynamics, pendulum};
 use hardpoint::mechanism::{
-    Acts, BodyId, Curve, Direction, DriverKind, ForceKind, InitialVelocity, JointKind, Law,
-    MassProperties, Mechanism, PointId, Reference,
+    Acts, BodyId, Curve, DriverKind, ForceKind, InitialVelocity, JointKind, Law, MassProperties,
+    Mechanism, PointId, Reference,
 };
 use hardpoint::solve::System;
-use hardpoint::solve::dynamics::{
-    Dynamics, DynamicsFailure, Integrator, Rest, SettlePlan, Start, StepSize,
-};
-
-const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
-const X: Direction = Direction::Fixed([1.0, 0.0, 0.0]);
-const Y: Direction = Direction::Fixed([0.0, 1.0, 0.0]);
-const Z: Direction = Direction::Fixed([0.0, 0.0, 1.0]);
-
-fn dynamics(mechanism: &Mechanism, integrator: Integrator) -> Result<Dynamics, DynamicsFailure> {
-    let system = System::new(mechanism.clone()).unwrap();
-    Dynamics::new(&system, &Start::default(), integrator)
-}
-
-fn difference(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max)
-}
+use hardpoint::solve::dynamics::{Dynamics, Integrator, Rest, SettlePlan, Start};
 
 /// Errors of two runs, the second with half the step, fall as those of a method of second order.
 fn assert_second_order(coarse: f64, fine: f64) {
     let ratio = coarse / fine;
     assert!((ratio - 4.0).abs() < 0.2, "{coarse:e} / {fine:e} = {ratio}");
 }
-
-/// IFToMM A01: a point mass of 1 kg on a massless rod of 1 m that turns about y, released level.
-fn pendulum() -> (Mechanism, BodyId, PointId) {
-    let mut m = Mechanism::new("ground");
-    m.set_gravity(GRAVITY).unwrap();
-    let rod = m.add_body("rod", [0.0; 3]).unwrap();
-    let pin = m.add_point("pin", [0.0; 3]).unwrap();
-    let bob = m.add_point("bob", [-1.0, 0.0, 0.0]).unwrap();
-    m.add_joint("hinge", BodyId::GROUND, rod, JointKind::Revolute { at: pin, axis: Y }).unwrap();
-    let mass = MassProperties { mass: 1.0, center: [-1.0, 0.0, 0.0], inertia: [0.0; 6] };
-    m.set_mass(rod, mass).unwrap();
-    (m, rod, bob)
-}
-
-/// T = 4 K(sin ½θ₀) √(L/g) with θ₀ = ½π, L = 1 m and g = 9.81 m/s².
-const PERIOD: f64 = 2.3678419475762;
 
 #[test]
 fn a_pendulum_is_back_after_its_period() {
@@ -377,100 +348,4 @@ fn a_load_works_as_weight_does() {
     assert!((motion.state()[1][0] - 4.0).abs() < 1e-12);
     assert!((motion.energy().work - 32.0).abs() < 1e-10, "{:?}", motion.energy());
     assert!(motion.report().energy_drift < 1e-10);
-}
-
-#[test]
-fn what_cannot_move_is_told_by_name() {
-    // A rod without mass that is free to turn.
-    let (mut m, rod, _) = pendulum();
-    let free = m.add_body("flag", [0.0; 3]).unwrap();
-    let pin = m.point_named("pin").unwrap();
-    m.add_joint("pole", rod, free, JointKind::Revolute { at: pin, axis: X }).unwrap();
-    let failure = dynamics(&m, Integrator::fixed(1e-3)).err().unwrap();
-    assert!(matches!(&failure, DynamicsFailure::NoInertia { bodies, .. } if bodies == &["flag"]));
-    assert!(failure.to_string().contains("body flag has no mass"), "{failure}");
-    // Held by the joints it needs no mass.
-    let bob = m.point_named("bob").unwrap();
-    m.add_joint("bolt", rod, free, JointKind::InPlane { at: bob, normal: Y }).unwrap();
-    let (m, rod, bob) = {
-        let (mut m, rod, bob) = pendulum();
-        let flag = m.add_body("flag", [0.0; 3]).unwrap();
-        m.add_joint("bolt", rod, flag, JointKind::Fixed { at: bob }).unwrap();
-        (m, rod, bob)
-    };
-    let mut motion = dynamics(&m, Integrator::fixed(PERIOD / 4000.0)).unwrap();
-    motion.advance_to(PERIOD).unwrap();
-    assert!(motion.point_velocity(rod, bob)[2].abs() < 2e-5);
-
-    // A point mass can turn about its axis without inertia.
-    let mut m = Mechanism::new("ground");
-    let bead = m.add_body("bead", [0.0; 3]).unwrap();
-    m.set_mass(bead, MassProperties { mass: 1.0, center: [0.0; 3], inertia: [0.0; 6] }).unwrap();
-    let failure = dynamics(&m, Integrator::fixed(1e-3)).err().unwrap();
-    assert!(matches!(&failure, DynamicsFailure::NoInertia { bodies, .. } if bodies == &["bead"]));
-
-    // A spring without length has no direction.
-    let (mut m, rod, bob) = pendulum();
-    let law = Law::spring(10.0);
-    let reference = Reference::Length(0.1);
-    let spring = ForceKind::Line { on_i: bob, on_j: bob, reference, law };
-    m.add_force("spring", BodyId::GROUND, rod, spring).unwrap();
-    let failure = dynamics(&m, Integrator::fixed(1e-3)).err().unwrap();
-    assert!(matches!(&failure, DynamicsFailure::NoForce { force, .. } if force == "spring"));
-}
-
-#[test]
-fn settings_and_states_without_meaning_are_refused() {
-    let (m, rod, _) = pendulum();
-    let adaptive = |tolerance, largest| StepSize::Adaptive { tolerance, largest };
-    for (spectral_radius, step) in [
-        (1.1, StepSize::Fixed(1e-3)),
-        (f64::NAN, StepSize::Fixed(1e-3)),
-        (0.8, StepSize::Fixed(0.0)),
-        (0.8, StepSize::Fixed(f64::NAN)),
-        (0.8, adaptive(0.0, 1e-2)),
-        (0.8, adaptive(1e-6, -1.0)),
-    ] {
-        let failure = dynamics(&m, Integrator { spectral_radius, step }).err().unwrap();
-        assert!(matches!(failure, DynamicsFailure::Setting { .. }), "{failure}");
-    }
-    let system = System::new(m.clone()).unwrap();
-    let begin =
-        |start: &Start<'_>| Dynamics::new(&system, start, Integrator::fixed(1e-3)).err().unwrap();
-    let mut state = system.state().to_vec();
-    state[rod.index()][0] += 1e-3;
-    let failure = begin(&Start { state: Some(&state), ..Start::default() });
-    assert!(failure.to_string().contains("hinge (revolute joint"), "{failure}");
-    state[rod.index()][0] = f64::NAN;
-    let failure = begin(&Start { state: Some(&state), ..Start::default() });
-    assert!(matches!(failure, DynamicsFailure::NotFinite { what: "position", .. }), "{failure}");
-    let load = [f64::INFINITY; 7];
-    let failure = begin(&Start { load: Some(&load), ..Start::default() });
-    assert!(matches!(failure, DynamicsFailure::NotFinite { what: "load", .. }), "{failure}");
-    let mut motion = dynamics(&m, Integrator::fixed(1e-3)).unwrap();
-    motion.advance_to(0.5).unwrap();
-    for time in [0.4, f64::NAN, f64::INFINITY] {
-        assert!(matches!(motion.advance_to(time), Err(DynamicsFailure::Time { .. })));
-    }
-    let plan = SettlePlan { until: 1.0, interval: 0.0, rest: None };
-    assert!(matches!(motion.settle(&plan, |_| ()), Err(DynamicsFailure::Setting { .. })));
-}
-
-#[test]
-fn a_motion_into_a_dead_end_stops_there_and_keeps_what_was_reached() {
-    let (mut m, rod, bob) = pendulum();
-    let wall = m.add_point("wall", [1.0, 0.0, 0.0]).unwrap();
-    let law = Law { acts: Acts::Below, ..Law::spring(1e18) };
-    let stop = ForceKind::Line { on_i: wall, on_j: bob, reference: Reference::Length(1.0), law };
-    m.add_force("wall", BodyId::GROUND, rod, stop).unwrap();
-    let mut motion = dynamics(&m, Integrator::adaptive(1e-10)).unwrap();
-    let plan = SettlePlan { until: 5.0, interval: 0.1, rest: None };
-    let trajectory = motion.settle(&plan, Dynamics::time).unwrap();
-    // The contact takes nanoseconds; it begins when the bob has come down.
-    let stop = trajectory.stop.unwrap();
-    assert!(matches!(stop, DynamicsFailure::TooInexact { .. }), "{stop}");
-    assert!(motion.time() > 0.7 && motion.time() < 0.8, "{}", motion.time());
-    assert_eq!(trajectory.samples.len(), 8);
-    assert!(motion.report().energy_drift < 1e-5, "{:?}", motion.report());
-    assert!(motion.state().iter().flatten().all(|x| x.is_finite()));
 }

@@ -53,6 +53,21 @@ fn a_quarter_car_follows_the_reference_within_a_micrometre() {
     }
 }
 
+#[test]
+fn adaptive_steps_settle_in_fewer_of_them() {
+    let (car, _) = quarter_car();
+    let (upright, wheel, released) = (car.upright, car.wheel_center, [car.travel]);
+    let system = System::new(car.mechanism).unwrap();
+    let start = Start { released: &released, ..Start::default() };
+    let mut motion = Dynamics::new(&system, &start, Integrator::adaptive(1e-8)).unwrap();
+    let worst = reference().iter().fold(0.0_f64, |worst, [t, height, _]| {
+        motion.advance_to(*t).unwrap();
+        worst.max((motion.point_position(upright, wheel)[2] - height).abs())
+    });
+    let steps = motion.report().steps;
+    assert!(worst < 1e-6 && steps < 1200, "{worst:e} in {steps} steps");
+}
+
 /// The pose after five seconds and the pose of static equilibrium.
 #[test]
 fn after_five_seconds_the_fixed_car_stands_in_its_static_equilibrium() {

@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use super::axes::{Axes, Side};
 use super::diagnostics::Report;
-use super::parts::read_points;
+use super::parts::{PointFile, read_points};
 use super::read::Section;
 use super::units_file::UnitsFile;
 
@@ -28,13 +28,6 @@ pub(super) struct ModelFile {
 pub(super) struct PointsFile {
     pub(super) span: Range<usize>,
     pub(super) entries: Vec<PointFile>,
-}
-
-/// A point in the units and axes of the file.
-pub(super) struct PointFile {
-    pub(super) name: Spanned<String>,
-    /// `None` for coordinates with a mistake.
-    pub(super) position: Option<Spanned<[f64; 3]>>,
 }
 
 /// The `[wheel]` section.
@@ -87,9 +80,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> ModelFile {
 fn points(root: &mut Section, report: &mut Report) -> Option<PointsFile> {
     let help = "add a section `[points]` with lines such as `lca_front = [200.0, 420.0, -270.0]`";
     let section = root.section("points", help, report)?;
-    let points = read_points(&section, report);
-    let entries = points.into_iter().map(|(name, position)| PointFile { name, position });
-    Some(PointsFile { span: section.span(), entries: entries.collect() })
+    Some(PointsFile { span: section.span(), entries: read_points(&section, report) })
 }
 
 fn wheel(root: &mut Section, report: &mut Report) -> WheelFile {

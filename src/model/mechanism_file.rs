@@ -9,7 +9,7 @@ use super::checks::note;
 use super::diagnostics::Report;
 use super::mean;
 use super::names::Names;
-use super::parts::{Parts, check_name, gravity_vector, joint_points, read_points};
+use super::parts::{Parts, PointFile, check_name, gravity_vector, joint_points, read_points};
 use super::quantity::Quantity;
 use super::read::{FromToml, Section, as_section};
 use super::units::Units;
@@ -61,7 +61,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<MechanismM
     let units = UnitsFile::read(root, report);
     let points = points(root, report);
     let body_names = body_names(root, &ground, report);
-    let point_names = points.iter().map(|(name, _)| name.get_ref().clone()).collect();
+    let point_names = points.iter().map(|point| point.name.get_ref().clone()).collect();
     let names = Names::new(ground.clone(), body_names, point_names);
     let parts = Parts { names: &names, units: &units, axes: Axes::Iso8855 };
     let (bodies, mass) = bodies(root, &ground, &parts, report);
@@ -73,9 +73,9 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<MechanismM
         gravity: gravity_vector(root, mass.as_ref(), report).unwrap_or_default(),
         points: points
             .into_iter()
-            .filter_map(|(name, position)| {
-                let position = parts.vector(&position?, Quantity::Length, report);
-                Some((name, position))
+            .filter_map(|point| {
+                let position = parts.vector(&point.position?, Quantity::Length, report);
+                Some((point.name, position))
             })
             .collect(),
     };
@@ -96,17 +96,15 @@ fn placed<T>(parts: Vec<(Spanned<String>, Option<T>)>) -> Vec<(Range<usize>, T)>
     parts.into_iter().filter_map(|(name, part)| Some((name.span(), part?))).collect()
 }
 
-type PointsFile = Vec<(Spanned<String>, Option<Spanned<[f64; 3]>>)>;
-
-fn points(root: &mut Section, report: &mut Report) -> PointsFile {
+fn points(root: &mut Section, report: &mut Report) -> Vec<PointFile> {
     let help = "add a section `[points]` with lines such as `pivot = [0.0, 0.0, 0.0]`";
     let Some(section) = root.section("points", help, report) else {
         return vec![];
     };
     section.not_empty(help, report);
     let points = read_points(&section, report);
-    for (name, _) in &points {
-        check_name(name, report);
+    for point in &points {
+        check_name(&point.name, report);
     }
     points
 }

@@ -4,9 +4,9 @@ use super::Model;
 use crate::mechanism::{Bushing, Direction, Force, ForceKind, MassProperties};
 
 impl Model {
-    /// The same suspension on the other side of the vehicle: y changes its sign,
-    /// toe and camber keep their values, and so do the values of force elements but for
-    /// what [`mirrored_bushing`] says of bushings.
+    /// The same suspension on the other side of the vehicle: y changes its sign, toe and camber
+    /// keep their values, and so do lengths, angles and loads of force elements. In bushings, displacement
+    /// along their y axis and rotation about their x and z axes change their signs.
     pub fn mirrored(&self) -> Self {
         let mut other = self.clone();
         other.side = self.side.other();

@@ -94,7 +94,7 @@ impl Quantity {
                 1 => above.push(symbol.to_owned()),
                 -1 => below.push(symbol),
                 power => {
-                    above.push(format!("{symbol}{}", ["", "", "²"][power.unsigned_abs() as usize]))
+                    above.push(format!("{symbol}{}", ["", "", "²"][power.unsigned_abs() as usize]));
                 }
             }
         }

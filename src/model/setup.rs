@@ -78,11 +78,17 @@ impl From<Drive> for Setup {
 pub enum SuspensionError {
     /// The points make no mechanism.
     #[error(transparent)]
-    Mechanism(#[from] MechanismError),
+    Mechanism(Box<MechanismError>),
     /// [`Chassis::Slide`] without a sprung mass.
     #[error(
         "the model `{0}` has no sprung mass, so its chassis cannot move; add a section \
          `[quarter_car]` with `sprung_mass`, or fix the chassis"
     )]
     NoQuarterCar(String),
+}
+
+impl From<MechanismError> for SuspensionError {
+    fn from(error: MechanismError) -> Self {
+        Self::Mechanism(Box::new(error))
+    }
 }

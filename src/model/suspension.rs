@@ -22,7 +22,8 @@ pub struct Suspension {
     /// Displacement of the rack (m), positive along the y axis of the model's own axes;
     /// `None` for a suspension that does not steer.
     pub rack: Option<DriverId>,
-    /// Change of the height of the wheel (m), positive in jounce in every axis system.
+    /// Change of the height of the wheel above the ground (m), positive in jounce in every axis
+    /// system; the ground is the chassis where that is fixed, and the road where it slides.
     pub travel: DriverId,
     /// Which height [`Suspension::travel`] prescribes.
     pub drive: Drive,

@@ -112,7 +112,13 @@ impl SettleReport<'_> {
             ("kinetic energy", format!("{:.6e} J", energy.kinetic)),
             ("potential energy", format!("{:.6e} J", energy.potential)),
             ("work of other forces", format!("{:.6e} J, − is dissipated", energy.work)),
-            ("drift of the energy", format!("{:.2e} J at most", motion.energy_drift)),
+            (
+                "drift of the energy",
+                format!(
+                    "{:.2e} J at most; the largest kinetic energy was {:.2e} J",
+                    motion.energy_drift, motion.largest_kinetic
+                ),
+            ),
             (
                 "drift of the constraints",
                 format!(

@@ -2,14 +2,16 @@
 
 use thiserror::Error;
 
-use super::channel::{Channel, element_channels};
+use super::channel::{Channel, distinct, driver_channels, element_channels};
 use super::line::{Line, Wheel};
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::{Design, Motion, Motions, Pose, WheelLoad};
 use super::stand::Stand;
 use super::sweep::{Event, Specimen, SweepPlan};
-use crate::mechanism::{BodyId, DriverId, MechanismError, PointId};
-use crate::model::{Axes, Model, Setup, Side, Suspension, SuspensionError, Vehicle, WheelSupport};
+use crate::mechanism::{BodyId, DriverId, Force, MechanismError, PointId};
+use crate::model::{
+    Axes, Drive, Model, Setup, Side, Suspension, SuspensionError, Vehicle, WheelSupport,
+};
 use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{
@@ -42,6 +44,7 @@ pub struct Corner {
     stand: Stand,
     loads: Option<WheelLoads>,
     load: Load,
+    own_forces: usize,
     elements: Vec<Channel>,
     vehicle: Vehicle,
     side: Side,
@@ -73,12 +76,17 @@ impl Corner {
             WheelSupport::Free => vec![suspension.travel],
         };
         let stand = Stand::new(suspension.mechanism.clone(), &released, model.axes)?;
-        // What the rig puts on the wheel is an input, not a result.
-        let elements = element_channels(stand.mechanism(), stand.system().expansion())
-            .into_iter()
-            .filter(|channel| channel.force().is_some_and(|force| force.index() < own_forces));
+        let mut elements = vec![];
+        if loads.is_some() {
+            let (mechanism, expansion) = (stand.mechanism(), stand.system().expansion());
+            // The force of the travel driver is the wheel load, which is a factor.
+            elements.extend(driver_channels(mechanism, expansion, &[suspension.travel]));
+            // What the rig puts on the wheel is an input, not a result.
+            let own = |channel: &Channel| channel.force().is_some_and(|f| f.index() < own_forces);
+            elements.extend(element_channels(mechanism, expansion).into_iter().filter(own));
+            distinct(elements.iter_mut());
+        }
         Ok(Self {
-            elements: elements.collect(),
             load: Load::default(),
             setup: *setup,
             vehicle: model.vehicle,
@@ -87,6 +95,8 @@ impl Corner {
             suspension,
             stand,
             loads,
+            elements,
+            own_forces,
         })
     }
 
@@ -123,6 +133,11 @@ impl Corner {
     /// The mechanism on the rig.
     pub fn stand(&self) -> &Stand {
         &self.stand
+    }
+
+    /// The force elements of the model, without the loads that the rig puts on the wheel.
+    pub fn forces(&self) -> &[Force] {
+        &self.stand.mechanism().forces()[..self.own_forces]
     }
 
     /// Whether the suspension has a rack.
@@ -166,7 +181,7 @@ impl Corner {
         self.stand.reset();
     }
 
-    /// The channels of force elements; none where the model has no forces.
+    /// The channels of the rack and of force elements; none where the model has no forces.
     pub fn element_channels(&self) -> &[Channel] {
         &self.elements
     }
@@ -183,53 +198,50 @@ impl Corner {
     /// # Panics
     /// If the state belongs to another mechanism.
     pub fn pose_at(&self, state: &[Coordinates<f64>]) -> Pose<f64> {
-        let wheel = &self.suspension.wheel;
+        let Suspension { wheel, steer_axis, spring, .. } = &self.suspension;
         let mechanism = self.stand.mechanism();
-        let turned = rotation(state, wheel.body);
+        let rotation = rotation(state, wheel.body);
         let point = |(point, body)| point_position(mechanism, state, body, point);
-        let center = point((wheel.center, wheel.body));
-        let chassis = self.suspension.chassis.index();
-        let sunk = state[chassis][2] - mechanism.bodies()[chassis].origin[2];
-        let at_design =
-            |point: PointId| add(mechanism.points()[point.index()].position, [0.0, 0.0, sunk]);
         let driven = |driver| self.stand.driver_value(driver);
-        let travel = match self.setup.support {
-            WheelSupport::Held => driven(self.suspension.travel),
-            WheelSupport::Free => center[2] - at_design(wheel.center)[2],
+        let design = self.design(state);
+        let disc = Wheel {
+            center: point((wheel.center, wheel.body)),
+            spin: rotation.map(|row| dot(row, wheel.spin_axis)),
+            radius: wheel.radius,
+        };
+        let height = |wheel: &Wheel<f64>| match self.setup.drive {
+            Drive::WheelCenter => wheel.center[2],
+            Drive::ContactPatch => wheel.contact_patch()[2],
         };
         Pose {
-            travel,
+            travel: match self.setup.support {
+                WheelSupport::Held => driven(self.suspension.travel),
+                WheelSupport::Free => height(&disc) - height(&design.wheel),
+            },
             rack: self.suspension.rack.map_or(0.0, driven),
-            wheel: Wheel {
-                center,
-                spin: turned.map(|row| dot(row, wheel.spin_axis)),
-                radius: wheel.radius,
-            },
-            rotation: turned,
-            steer_axis: self
-                .suspension
-                .steer_axis
-                .map(|axis| Line { from: point(axis.lower), to: point(axis.upper) }),
-            spring: self.suspension.spring.map(|spring| {
-                let [from, to] = spring.ends.map(point);
-                Line { from, to }
-            }),
-            design: Design {
-                wheel: Wheel {
-                    center: at_design(wheel.center),
-                    spin: wheel.spin_axis,
-                    radius: wheel.radius,
-                },
-                spring: self.suspension.spring.map(|spring| {
-                    let [from, to] = spring.ends.map(|(point, _)| at_design(point));
-                    Line { from, to }
-                }),
-            },
+            wheel: disc,
+            rotation,
+            steer_axis: steer_axis.map(|axis| Line::through([axis.lower, axis.upper].map(point))),
+            spring: spring.map(|spring| Line::through(spring.ends.map(point))),
+            design,
             motions: None,
             load: None,
             vehicle: self.vehicle,
             side: self.side,
             axes: self.axes,
+        }
+    }
+
+    /// The design position, carried along with the chassis of a state.
+    fn design(&self, state: &[Coordinates<f64>]) -> Design<f64> {
+        let Suspension { wheel, spring, chassis, .. } = &self.suspension;
+        let mechanism = self.stand.mechanism();
+        let origin = mechanism.bodies()[chassis.index()].origin;
+        let sunk = state[chassis.index()][2] - origin[2];
+        let at = |point: PointId| add(mechanism.points()[point.index()].position, [0.0, 0.0, sunk]);
+        Design {
+            wheel: Wheel { center: at(wheel.center), spin: wheel.spin_axis, radius: wheel.radius },
+            spring: spring.map(|spring| Line::through(spring.ends.map(|(point, _)| at(point)))),
         }
     }
 
@@ -250,11 +262,8 @@ impl Corner {
         Some(Motion {
             wheel: twist(wheel.body),
             steer_axis: steer_axis
-                .map(|axis| Line { from: velocity(axis.lower), to: velocity(axis.upper) }),
-            spring: spring.map(|spring| {
-                let [from, to] = spring.ends.map(velocity);
-                Line { from, to }
-            }),
+                .map(|axis| Line::through([axis.lower, axis.upper].map(velocity))),
+            spring: spring.map(|spring| Line::through(spring.ends.map(velocity))),
         })
     }
 

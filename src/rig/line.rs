@@ -13,6 +13,13 @@ pub struct Line<S> {
     pub to: Vector<S>,
 }
 
+impl<S> Line<S> {
+    /// The line through two points, from the first to the second.
+    pub fn through([from, to]: [Vector<S>; 2]) -> Self {
+        Self { from, to }
+    }
+}
+
 impl<S: Scalar> Line<S> {
     /// The unit vector from the first to the second point.
     pub fn direction(&self) -> Vector<S> {

@@ -1,6 +1,8 @@
 //! A mechanism on the rig: moved by its drivers, loaded by its forces.
 
-use super::channel::{Channel, body_channels, driver_channels, element_channels, joint_channels};
+use super::channel::{
+    Channel, body_channels, distinct, driver_channels, element_channels, joint_channels,
+};
 use super::corner::RigError;
 use super::pose::Pose;
 use super::sweep::{Event, Specimen, SweepPlan};
@@ -43,6 +45,9 @@ impl Stand {
         let bodies = body_channels(system.mechanism());
         let drivers = driver_channels(system.mechanism(), expansion, released);
         let elements = element_channels(system.mechanism(), expansion);
+        let mut elements = [bodies, drivers, elements].concat();
+        let mut joints = joint_channels(system.mechanism());
+        distinct(elements.iter_mut().chain(&mut joints));
         Ok(Self {
             equilibrium: Equilibrium::released(&system, released),
             released: released.to_vec(),
@@ -50,8 +55,8 @@ impl Stand {
             rigid: released.is_empty() && system.freedom().free_motions.is_empty(),
             found: false,
             axes,
-            elements: [bodies, drivers, elements].concat(),
-            joints: joint_channels(system.mechanism()),
+            elements,
+            joints,
             system,
         })
     }
@@ -132,10 +137,9 @@ impl Stand {
         &self.elements[..6 * (self.mechanism().bodies().len() - 1)]
     }
 
-    /// The channels of force elements alone.
+    /// The channels of drivers and force elements: all but those of bodies.
     pub fn force_channels(&self) -> &[Channel] {
-        let first = self.elements.iter().position(|channel| channel.force().is_some());
-        &self.elements[first.unwrap_or(self.elements.len())..]
+        &self.elements[self.body_channels().len()..]
     }
 
     /// Moves drivers to values (m or rad, from the design position).

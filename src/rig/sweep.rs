@@ -13,7 +13,7 @@ pub enum Event {
     Travel,
     /// The rack moves, the height of the wheel is held.
     Steer,
-    /// One component of the load on the wheel grows, by its position in [`LOAD_COMPONENTS`].
+    /// One component of the load on the wheel grows, by its position in [`LOAD_COMPONENTS`](super::LOAD_COMPONENTS).
     Load(usize),
     /// A driver of a mechanism moves, all others are held.
     Driver(DriverId),

@@ -4,6 +4,7 @@ use super::convergence::{Outcome, Tolerances};
 use super::linear::{LinearSolver, Singular, largest, solver};
 use super::newton::{Equations, newton};
 use super::position::{Scales, move_bodies};
+use super::rank::undetermined;
 use super::system::System;
 use super::tangent::Tangent;
 use crate::assembly::{Elements, Inertias, Kkt, Numbering, Terms};
@@ -30,6 +31,7 @@ pub struct Equilibrium {
     pub(super) step: Vec<f64>,
     pub(super) released: Vec<DriverId>,
     pub(super) driver_values: Vec<f64>,
+    undetermined: Vec<usize>,
     design: Vec<f64>,
     dh: Vec<f64>,
     tangent: Vec<f64>,
@@ -79,7 +81,10 @@ impl Equilibrium {
         let equations = position.sizes().len();
         let unknowns = kkt.unknowns();
         let drivers = system.mechanism().driver_ids();
+        let kept = (position.kept(), position.scales);
+        let (state, h) = (&position.state, &position.h);
         Self {
+            undetermined: undetermined(expansion, system.terms(), state, h, kept),
             linear: solver(kkt.pattern()),
             step: vec![0.0; kkt.pattern().rows()],
             tangent: vec![0.0; kkt.pattern().rows()],
@@ -164,6 +169,11 @@ impl Equilibrium {
     /// Whether an equation is held; others are redundant or belong to released drivers.
     pub fn is_held(&self, equation: usize) -> bool {
         self.problem.numbering.row(equation).is_some()
+    }
+
+    /// Whether the multiplier of an equation is determined: no redundant equation could share it.
+    pub fn is_determined(&self, equation: usize) -> bool {
+        !self.undetermined.contains(&equation)
     }
 
     /// The multiplier of a driver: the force (N) or moment (N·m) −λ that it takes to hold it.

@@ -13,8 +13,8 @@ use crate::relation::{BODY_COORDINATES, Coordinates};
 use crate::vector::norm;
 
 enum Matrix {
-    Determinate(Jacobian),
-    LeastChange { kkt: Kkt, diagonal: Vec<f64> },
+    Determinate(Box<Jacobian>),
+    LeastChange { kkt: Box<Kkt>, diagonal: Vec<f64> },
 }
 
 /// What makes metres and Euler parameters comparable.
@@ -74,10 +74,10 @@ impl Position {
     ) -> Self {
         let unknowns = numbering.unknowns();
         let matrix = if numbering.kept().len() == unknowns {
-            Matrix::Determinate(Jacobian::new(terms, &numbering))
+            Matrix::Determinate(Box::new(Jacobian::new(terms, &numbering)))
         } else {
             Matrix::LeastChange {
-                kkt: Kkt::new(terms, &numbering),
+                kkt: Box::new(Kkt::new(terms, &numbering)),
                 diagonal: (0..unknowns)
                     .map(|unknown| scales.coordinate(unknown).powi(-2))
                     .collect(),

@@ -1,6 +1,7 @@
 //! Mechanisms that several tests use.
 #![allow(dead_code)]
 
+pub mod pendulum;
 pub mod sedan;
 
 use hardpoint::mechanism::{

@@ -5,9 +5,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use hardpoint::factors::basic;
-use hardpoint::mechanism::BodyId;
-use hardpoint::model::{Axes, Document, MechanismModel, Model, Setup};
+use hardpoint::mechanism::{BodyId, Force};
+use hardpoint::model::{Axes, Document, MechanismModel, Model, Quantity, Setup, Units};
 use hardpoint::rig::{Corner, Pose, Stand};
+use hardpoint::solve::{StaticFailure, StaticReport};
 
 use crate::failure::Failure;
 use crate::load;
@@ -32,19 +33,41 @@ pub struct Check {
 impl Check {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
-        let rig = |error| Failure::Rig(self.model.display().to_string(), error);
+        let rig = |error| Failure::Rig(self.model.display().to_string(), Box::new(error));
         match load(&self.model, self.side)? {
             Document::Suspension(model) => {
                 let mut corner = Corner::new(&model, &Setup::default()).map_err(rig)?;
                 let pose = corner.pose();
-                Output::Stdout.write(|writer| suspension(writer, &model, &corner, &pose))
+                let leaves = leaves_free(corner.stand());
+                let held = leaves.then(|| held(corner.rest(), model.units));
+                Output::Stdout.write(|writer| suspension(writer, &model, &corner, &pose, held))
             }
             Document::Mechanism(model) => {
-                let stand = Stand::new(model.mechanism.clone(), &[], Axes::Iso8855)
-                    .map_err(|error| rig(error.into()))?;
-                Output::Stdout.write(|writer| mechanism(writer, &model, &stand))
+                let mut stand =
+                    Stand::new(model.mechanism.clone(), &[], Axes::Iso8855).map_err(rig)?;
+                let held = leaves_free(&stand).then(|| held(stand.rest(), model.units));
+                Output::Stdout.write(|writer| mechanism(writer, &model, &stand, held))
             }
         }
+    }
+}
+
+/// Whether joints and drivers leave something free that forces may hold.
+fn leaves_free(stand: &Stand) -> bool {
+    stand.is_loaded() && !stand.freedom().free_motions.is_empty()
+}
+
+/// Whether forces hold what joints leave free.
+fn held(found: Result<StaticReport, StaticFailure>, units: Units) -> String {
+    match found {
+        Ok(report) => {
+            let stiffness = Quantity::Stiffness.show(units, report.stiffness);
+            let unit = Quantity::Stiffness.symbol(units);
+            format!(
+                "forces hold what joints leave free; the smallest stiffness is {stiffness:.4e} {unit}"
+            )
+        }
+        Err(failure) => format!("forces do not hold it: {failure}"),
     }
 }
 
@@ -53,6 +76,7 @@ fn suspension(
     model: &Model,
     corner: &Corner,
     pose: &Pose<f64>,
+    held: Option<String>,
 ) -> io::Result<()> {
     let units = model.units;
     let length = units.length.symbol();
@@ -64,7 +88,7 @@ fn suspension(
     let radius = units.length.from_metres(model.wheel_radius);
     writeln!(writer, "wheel radius   {radius} {length}")?;
     writeln!(writer)?;
-    parts(writer, corner.stand(), model.axes)?;
+    parts(writer, corner.stand(), corner.forces(), model.axes, held)?;
     writeln!(writer)?;
     writeln!(writer, "at the design position:")?;
     for factor in basic() {
@@ -78,12 +102,17 @@ fn suspension(
     Ok(())
 }
 
-fn mechanism(writer: &mut dyn Write, model: &MechanismModel, stand: &Stand) -> io::Result<()> {
+fn mechanism(
+    writer: &mut dyn Write,
+    model: &MechanismModel,
+    stand: &Stand,
+    held: Option<String>,
+) -> io::Result<()> {
     header(writer, &model.name, model.description.as_deref())?;
     let units = model.units;
     writeln!(writer, "units          {}, {}", units.length.symbol(), units.angle.symbol())?;
     writeln!(writer)?;
-    parts(writer, stand, Axes::Iso8855)
+    parts(writer, stand, stand.mechanism().forces(), Axes::Iso8855, held)
 }
 
 fn header(writer: &mut dyn Write, name: &str, description: Option<&str>) -> io::Result<()> {
@@ -95,20 +124,25 @@ fn header(writer: &mut dyn Write, name: &str, description: Option<&str>) -> io::
 }
 
 /// Joints and force elements, then what they leave free.
-fn parts(writer: &mut dyn Write, stand: &Stand, axes: Axes) -> io::Result<()> {
+fn parts(
+    writer: &mut dyn Write,
+    stand: &Stand,
+    forces: &[Force],
+    axes: Axes,
+    held: Option<String>,
+) -> io::Result<()> {
     let mechanism = stand.mechanism();
-    // What the rig puts on the wheel is no part of the model.
-    let forces = || mechanism.forces().iter().filter(|force| !force.name.starts_with("load_"));
     let names = mechanism.joints().iter().map(|joint| &joint.name);
     let names = names.chain(mechanism.drivers().iter().map(|driver| &driver.name));
-    let width = names.chain(forces().map(|force| &force.name)).map(|name| name.chars().count());
+    let width =
+        names.chain(forces.iter().map(|force| &force.name)).map(|name| name.chars().count());
     let width = width.max().unwrap_or(0);
     let body = |id: BodyId| mechanism.bodies()[id.index()].name.as_str();
     for joint in mechanism.joints() {
         let (kind, i, j) = (joint.kind.name(), body(joint.i), body(joint.j));
         writeln!(writer, "{:<width$}  {kind:<13}  {i}–{j}", joint.name)?;
     }
-    for force in forces() {
+    for force in forces {
         let (kind, i, j) = (force.kind.name(), body(force.i), body(force.j));
         writeln!(writer, "{:<width$}  {kind:<13}  {i}–{j}", force.name)?;
     }
@@ -117,8 +151,9 @@ fn parts(writer: &mut dyn Write, stand: &Stand, axes: Axes) -> io::Result<()> {
     writeln!(writer, "{freedom}{}", axes_of_words(axes, &freedom))?;
     if stand.freedom().is_exact() {
         writeln!(writer, "no redundant equations, no free motions")?;
-    } else if forces().next().is_some() && !stand.freedom().free_motions.is_empty() {
-        writeln!(writer, "what joints leave free, forces may hold: see `hardpoint equilibrium`")?;
     }
-    Ok(())
+    match held {
+        Some(held) => writeln!(writer, "{held}{}", axes_of_words(axes, &held)),
+        None => Ok(()),
+    }
 }

@@ -1,6 +1,6 @@
 //! `hardpoint factors`: all design factors at one state.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use hardpoint::model::{Chassis, Document, Model, WheelSupport};
@@ -60,29 +60,27 @@ impl Factors {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
         let Some(path) = &self.model else {
-            return self.place().write(|writer| write_definitions(writer));
+            let output = self.output.clone().map_or(Output::Stdout, Output::File);
+            return output.write(|writer| write_definitions(writer));
         };
         let document = load(path, self.side)?;
-        let place = self.output.as_ref().and_then(|path| path.canonicalize().ok());
-        if place.is_some() && place == path.canonicalize().ok() {
-            let message = "-o would overwrite the model; name another file";
-            return Err(Failure::Usage(message.into()));
-        }
+        // Refused before the work is done.
+        let output = Output::beside(path, self.output.as_deref())?;
         match document {
-            Document::Suspension(model) => self.corner(&model, &path.display().to_string()),
+            Document::Suspension(model) => self.corner(&model, path, &output),
             Document::Mechanism(_) => Err(Failure::Usage(
                 "factors belong to suspensions; this file is a mechanism".into(),
             )),
         }
     }
 
-    fn corner(&self, model: &Model, file: &str) -> Result<(), Failure> {
+    fn corner(&self, model: &Model, path: &Path, output: &Output) -> Result<(), Failure> {
         let travel = length("--travel", self.travel, model.units)?;
         let rack = length("--rack", self.rack, model.units)?;
         let setup = self.rig.setup(WheelSupport::Held, Chassis::Fixed);
         let load = self.rig.load(model)?;
         let mut corner = Corner::with_loads(model, &setup, self.rig.point())
-            .map_err(|error| Failure::Rig(file.to_owned(), error))?;
+            .map_err(|error| Failure::Rig(path.display().to_string(), Box::new(error)))?;
         if rack != 0.0 && !corner.steers() {
             let message = "this suspension has no rack; leave out --rack";
             return Err(Failure::Usage(message.into()));
@@ -108,14 +106,10 @@ impl Factors {
             pose: &corner.pose(),
         };
         let named = self.output.as_deref().and_then(Format::of);
-        self.place().write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
+        output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
             Format::Table => sheet.write_table(writer),
             Format::Csv => sheet.write_csv(writer),
             Format::Json => sheet.write_json(writer),
         })
-    }
-
-    fn place(&self) -> Output {
-        self.output.clone().map_or(Output::Stdout, Output::File)
     }
 }

@@ -3,22 +3,24 @@
 use std::io::{self, IsTerminal as _};
 use std::process::ExitCode;
 
-use hardpoint::model::ModelDiagnostics;
+use hardpoint::model::{Axes, ModelDiagnostics};
 use hardpoint::rig::RigError;
 use hardpoint::solve::dynamics::DynamicsFailure;
 use hardpoint::solve::{StaticFailure, Stop};
 use miette::GraphicalReportHandler;
+
+use crate::output::axes_of_words;
 
 /// Why a command did not end well.
 pub enum Failure {
     /// The model file has mistakes.
     Model(ModelDiagnostics),
     /// The model makes no mechanism that moves.
-    Rig(String, RigError),
-    /// There is no static equilibrium.
-    Static(String, StaticFailure),
+    Rig(String, Box<RigError>),
+    /// There is no static equilibrium; the axes are those of the model.
+    Static(String, StaticFailure, Axes),
     /// The motion cannot go on.
-    Motion(String, DynamicsFailure),
+    Motion(String, DynamicsFailure, Axes),
     /// The mechanism stopped during an event.
     Stopped(Vec<Stop>, String),
     /// A file or pipe that cannot be written; says which.
@@ -49,14 +51,8 @@ impl Failure {
                 eprintln!("error: {model}: {error}");
                 ExitCode::from(1)
             }
-            Self::Static(model, failure) => {
-                eprintln!("error: {model}: {failure}");
-                ExitCode::from(3)
-            }
-            Self::Motion(model, failure) => {
-                eprintln!("error: {model}: {failure}");
-                ExitCode::from(3)
-            }
+            Self::Static(model, failure, axes) => no_motion(&model, &failure, axes),
+            Self::Motion(model, failure, axes) => no_motion(&model, &failure, axes),
             Self::Stopped(stops, rows) => {
                 for stop in stops {
                     eprintln!("{stop}");
@@ -78,4 +74,11 @@ impl Failure {
             }
         }
     }
+}
+
+/// Tells why a model neither rests nor moves.
+fn no_motion(model: &str, failure: &impl ToString, axes: Axes) -> ExitCode {
+    let failure = failure.to_string();
+    eprintln!("error: {model}: {failure}{}", axes_of_words(axes, &failure));
+    ExitCode::from(3)
 }

@@ -10,9 +10,9 @@ use crate::output::DriveName;
 /// How a corner stands on the rig and what loads its wheel.
 #[derive(Args)]
 pub struct RigOptions {
-    /// Which height a travel means.
-    #[arg(long, value_enum, default_value = "wheel-center")]
-    drive: DriveName,
+    /// Which height a travel means [default: wheel-center].
+    #[arg(long, value_enum)]
+    drive: Option<DriveName>,
     /// Swap bushings back for the rigid joints that they replace.
     #[arg(long)]
     kinematic: bool,
@@ -20,9 +20,9 @@ pub struct RigOptions {
     /// the model, in its units; may be given several times.
     #[arg(long = "load", value_name = "COMPONENT=VALUE", allow_hyphen_values = true)]
     loads: Vec<String>,
-    /// Where --load acts on the wheel's body.
-    #[arg(long, value_enum, default_value = "contact-patch")]
-    at: LoadPointName,
+    /// Where loads act on the wheel's body [default: contact-patch].
+    #[arg(long, value_enum)]
+    at: Option<LoadPointName>,
 }
 
 /// Where a load acts.
@@ -37,14 +37,30 @@ enum LoadPointName {
 impl RigOptions {
     /// The drive.
     pub fn drive(&self) -> Drive {
-        self.drive.into()
+        self.drive.map_or(Drive::WheelCenter, Drive::from)
+    }
+
+    /// Refuses the options for a mechanism, which has no wheel.
+    pub fn refuse(&self) -> Result<(), Failure> {
+        let given = [
+            (self.drive.is_some(), "--drive"),
+            (self.kinematic, "--kinematic"),
+            (!self.loads.is_empty(), "--load"),
+            (self.at.is_some(), "--at"),
+        ];
+        match given.into_iter().find(|(given, _)| *given) {
+            Some((_, option)) => Err(Failure::Usage(format!(
+                "{option} belongs to suspensions; this file is a mechanism, whose loads are [[forces]]"
+            ))),
+            None => Ok(()),
+        }
     }
 
     /// Where loads act.
     pub fn point(&self) -> LoadPoint {
         match self.at {
-            LoadPointName::ContactPatch => LoadPoint::ContactPatch,
-            LoadPointName::WheelCenter => LoadPoint::WheelCenter,
+            Some(LoadPointName::ContactPatch) | None => LoadPoint::ContactPatch,
+            Some(LoadPointName::WheelCenter) => LoadPoint::WheelCenter,
         }
     }
 

@@ -1,6 +1,5 @@
 //! `hardpoint settle`: let a model come to rest, and compare with its equilibrium.
 
-use std::fs;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -16,14 +15,17 @@ use hardpoint::solve::dynamics::{
 };
 use hardpoint::solve::{StaticFailure, StaticReport};
 
-use crate::equilibrium::released;
+use crate::equilibrium::{refuse_fixed_chassis, released};
 use crate::failure::Failure;
 use crate::load;
 use crate::loads::RigOptions;
-use crate::output::{Format, Output, SideName};
+use crate::output::{Output, Sheet, SideName, axes_of_words};
 
 /// More samples than this are a mistake in the interval.
 const MOST_SAMPLES: f64 = 1e6;
+
+/// More steps than this are a mistake in their length.
+const MOST_STEPS: f64 = 1e7;
 
 /// Integrate the motion from the design position and compare its end with the equilibrium.
 ///
@@ -44,7 +46,8 @@ pub struct Settle {
     /// How long the motion is followed (s).
     #[arg(long, default_value_t = 5.0, allow_negative_numbers = true, value_name = "S")]
     seconds: f64,
-    /// Length of all steps (s) [default: as long as --tolerance allows].
+    /// Length of all steps (s), at most: a whole number of them makes --interval, or --seconds where
+    /// no motion is written [default: as long as --tolerance allows].
     #[arg(long, allow_negative_numbers = true, value_name = "S")]
     step: Option<f64>,
     /// Local error of a step, relative to the size of the mechanism.
@@ -70,9 +73,9 @@ pub struct Settle {
     /// Look at this side of the vehicle; the other side is the mirror image of the model.
     #[arg(long)]
     side: Option<SideName>,
-    /// How to write the table: table or json.
+    /// How to write the table.
     #[arg(long, value_enum, default_value = "table")]
-    format: Format,
+    format: Sheet,
 }
 
 /// What the columns of a motion are.
@@ -86,25 +89,18 @@ struct Recorder<'a> {
 impl Settle {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
-        if self.format == Format::Csv {
-            return Err(Failure::Usage(
-                "the table is no CSV; write the motion to a CSV file with -o".into(),
-            ));
-        }
         let samples = self.seconds / self.interval;
-        if !(samples.is_finite() && samples >= 0.0 && self.interval > 0.0) {
+        if !(samples.is_finite() && samples > 0.0 && self.interval > 0.0) {
             return Err(Failure::Usage("--seconds and --interval have to be above zero".into()));
         }
         if samples > MOST_SAMPLES {
             return Err(Failure::Usage("--interval is too short: at most 1,000,000 lines".into()));
         }
-        if let Some(output) = &self.output
-            && fs::canonicalize(output)
-                .ok()
-                .is_some_and(|o| fs::canonicalize(&self.model).ok() == Some(o))
-        {
-            return Err(Failure::Usage("-o would overwrite the model; name another file".into()));
+        if self.step.is_some_and(|step| self.seconds / step > MOST_STEPS) {
+            return Err(Failure::Usage("--step is too short: at most 10,000,000 steps".into()));
         }
+        // Refused before the work is done.
+        Output::beside(&self.model, self.output.as_deref())?;
         match load(&self.model, self.side)? {
             Document::Suspension(model) => self.suspension(&model),
             Document::Mechanism(model) => self.mechanism(&model),
@@ -126,7 +122,7 @@ impl Settle {
         corner.set_load(&load);
         let travel = corner.suspension().travel;
         let equilibrium = corner.rest();
-        let mut dynamics = self.dynamics(corner.stand(), &[travel])?;
+        let mut dynamics = self.dynamics(corner.stand(), &[travel], model.axes)?;
         let trajectory = {
             let channels = corner.element_channels();
             let (units, axes) = (model.units, model.axes);
@@ -154,16 +150,19 @@ impl Settle {
             .collect();
         let title =
             format!("{}, {} side, {} axes", model.name, model.side.name(), model.axes.name());
-        self.tell(&title, model.units, &dynamics, &rows, equilibrium, trajectory)
+        self.tell(&title, (model.units, model.axes), &dynamics, &rows, &equilibrium)?;
+        self.end(trajectory, model.axes)
     }
 
     fn mechanism(&self, model: &MechanismModel) -> Result<(), Failure> {
+        self.rig.refuse()?;
+        refuse_fixed_chassis(self.fixed_chassis)?;
         let released = released(&self.release, model)?;
         let mut stand = Stand::new(model.mechanism.clone(), &released, Axes::Iso8855)
-            .map_err(|error| self.cannot_stand(error.into()))?;
+            .map_err(|error| self.cannot_stand(error))?;
         let equilibrium = stand.rest();
-        let mut dynamics = self.dynamics(&stand, &released)?;
         let (units, axes) = (model.units, Axes::Iso8855);
+        let mut dynamics = self.dynamics(&stand, &released, axes)?;
         let channels: Vec<Channel> = [stand.body_channels(), stand.force_channels()].concat();
         let recorder = Recorder { units, axes, corner: None, channels: &channels };
         let trajectory = self.integrate(&mut dynamics, &recorder)?;
@@ -175,10 +174,16 @@ impl Settle {
             quasi_static: equilibrium.is_ok().then(|| channel.value(&rest, &[], axes)),
         };
         let rows: Vec<SettleRow> = stand.body_channels().iter().map(row).collect();
-        self.tell(&model.name, model.units, &dynamics, &rows, equilibrium, trajectory)
+        self.tell(&model.name, (units, axes), &dynamics, &rows, &equilibrium)?;
+        self.end(trajectory, axes)
     }
 
-    fn dynamics(&self, stand: &Stand, released: &[DriverId]) -> Result<Dynamics, Failure> {
+    fn dynamics(
+        &self,
+        stand: &Stand,
+        released: &[DriverId],
+        axes: Axes,
+    ) -> Result<Dynamics, Failure> {
         let step = match self.step {
             Some(step) => StepSize::Fixed(step),
             None => StepSize::Adaptive { tolerance: self.tolerance, largest: 0.02 },
@@ -187,7 +192,8 @@ impl Settle {
         // Loads on the wheel are part of the laws.
         let laws = Some(stand.equilibrium().elements().laws());
         let start = Start { released, laws, ..Start::default() };
-        Dynamics::new(stand.system(), &start, integrator).map_err(|failure| self.fails(failure))
+        Dynamics::new(stand.system(), &start, integrator)
+            .map_err(|failure| self.fails(failure, axes))
     }
 
     /// Follows the motion; returns the lines of the CSV file.
@@ -196,11 +202,13 @@ impl Settle {
         dynamics: &mut Dynamics,
         recorder: &Recorder,
     ) -> Result<Trajectory<Vec<f64>>, Failure> {
-        let plan = SettlePlan { until: self.seconds, interval: self.interval, rest: None };
+        let interval = if self.output.is_some() { self.interval } else { self.seconds };
+        let plan = SettlePlan { until: self.seconds, interval, rest: None };
         let trajectory = dynamics.settle(&plan, |dynamics| recorder.sample(dynamics));
-        let trajectory = trajectory.map_err(|failure| self.fails(failure))?;
-        if let Some(path) = &self.output {
-            Output::File(path.clone()).write(|writer| {
+        let trajectory = trajectory.map_err(|failure| self.fails(failure, recorder.axes))?;
+        let output = Output::beside(&self.model, self.output.as_deref())?;
+        if let Output::File(_) = output {
+            output.write(|writer| {
                 let mut csv = csv::Writer::from_writer(writer);
                 csv.write_record(recorder.header())?;
                 for (time, values) in &trajectory.samples {
@@ -216,13 +224,15 @@ impl Settle {
     fn tell(
         &self,
         title: &str,
-        units: Units,
+        (units, axes): (Units, Axes),
         dynamics: &Dynamics,
         rows: &[SettleRow],
-        equilibrium: Result<StaticReport, StaticFailure>,
-        trajectory: Trajectory<Vec<f64>>,
+        equilibrium: &Result<StaticReport, StaticFailure>,
     ) -> Result<(), Failure> {
-        let failure = equilibrium.as_ref().err().map(ToString::to_string);
+        let failure = equilibrium.as_ref().err().map(|failure| {
+            let words = failure.to_string();
+            format!("{words}{}", axes_of_words(axes, &words))
+        });
         let report = SettleReport {
             title,
             units,
@@ -232,30 +242,34 @@ impl Settle {
             energy: dynamics.energy(),
             speed: dynamics.largest_speed(),
             start: dynamics.start(),
-            equilibrium: match (&equilibrium, &failure) {
+            equilibrium: match (equilibrium, &failure) {
                 (Ok(found), _) => Ok(found),
                 (Err(_), failure) => Err(failure.as_deref().unwrap_or_default()),
             },
         };
         Output::Stdout.write(|writer| match self.format {
-            Format::Json => report.write_json(writer),
-            _ => report.write_text(writer),
-        })?;
+            Sheet::Json => report.write_json(writer),
+            Sheet::Table => report.write_text(writer),
+        })
+    }
+
+    /// A motion that stopped early is a failure, told behind what it got to.
+    fn end(&self, trajectory: Trajectory<Vec<f64>>, axes: Axes) -> Result<(), Failure> {
         match trajectory.stop {
-            Some(stop) => Err(self.fails(stop)),
+            Some(stop) => Err(self.fails(stop, axes)),
             None => Ok(()),
         }
     }
 
     fn cannot_stand(&self, error: RigError) -> Failure {
-        Failure::Rig(self.model.display().to_string(), error)
+        Failure::Rig(self.model.display().to_string(), Box::new(error))
     }
 
-    fn fails(&self, failure: DynamicsFailure) -> Failure {
+    fn fails(&self, failure: DynamicsFailure, axes: Axes) -> Failure {
         if let DynamicsFailure::Setting { .. } = failure {
             return Failure::Usage(failure.to_string());
         }
-        Failure::Motion(self.model.display().to_string(), failure)
+        Failure::Motion(self.model.display().to_string(), failure, axes)
     }
 }
 

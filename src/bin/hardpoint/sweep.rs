@@ -109,10 +109,8 @@ impl Sweep {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
         let document = load(&self.model, self.side)?;
-        let place = self.output.as_ref().and_then(|path| path.canonicalize().ok());
-        if place.is_some() && place == self.model.canonicalize().ok() {
-            return usage("-o would overwrite the model; name another file");
-        }
+        // Refused before the work is done.
+        Output::beside(&self.model, self.output.as_deref())?;
         match document {
             Document::Suspension(model) => self.corner(&model),
             Document::Mechanism(model) => self.mechanism(&model),
@@ -138,7 +136,7 @@ impl Sweep {
         let setup = self.rig.setup(support, Chassis::Fixed);
         let load = self.rig.load(model)?;
         let mut corner = Corner::with_loads(model, &setup, self.rig.point())
-            .map_err(|error| Failure::Rig(self.model.display().to_string(), error))?;
+            .map_err(|error| Failure::Rig(self.model.display().to_string(), Box::new(error)))?;
         let (quantity, mut plan, name) = self.plan(event, model.units, corner.steers())?;
         plan.held.load = load;
         let sweep = self.states(&mut corner, &plan, model.axes);
@@ -170,12 +168,13 @@ impl Sweep {
         if let Some((_, option)) = suspension.iter().find(|(given, _)| *given) {
             return usage(format!("{option} belongs to suspensions; this file is a mechanism"));
         }
+        self.rig.refuse()?;
         let driver = self.driver_of(model)?;
         let part = &model.mechanism.drivers()[driver.index()];
         let quantity = if part.kind.unit() == "rad" { Quantity::Angle } else { Quantity::Length };
         let name = part.name.clone();
         let mut stand = Stand::new(model.mechanism.clone(), &[], Axes::Iso8855)
-            .map_err(|error| Failure::Rig(self.model.display().to_string(), error.into()))?;
+            .map_err(|error| Failure::Rig(self.model.display().to_string(), Box::new(error)))?;
         let (Some(from), Some(to)) = (self.from, self.to) else {
             return usage(format!(
                 "say the range of driver {name} in {} with --from and --to",
@@ -253,7 +252,7 @@ impl Sweep {
             eprintln!("warning: {why}; its column is empty");
         }
         let named = self.output.as_deref().and_then(Format::of);
-        let output = self.output.clone().map_or(Output::Stdout, Output::File);
+        let output = Output::beside(&self.model, self.output.as_deref())?;
         output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
             Format::Table => report.write_table(writer),
             Format::Csv => report.write_csv(writer),

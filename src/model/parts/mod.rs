@@ -150,16 +150,21 @@ pub(crate) fn named_sections<'t, T>(
     parts
 }
 
-/// The points of a section `[points]`, in the units and axes of the file.
-pub(crate) fn read_points(
-    section: &Section,
-    report: &mut Report,
-) -> Vec<(Spanned<String>, Option<Spanned<[f64; 3]>>)> {
+/// A point in the units and axes of the file.
+pub(crate) struct PointFile {
+    pub(crate) name: Spanned<String>,
+    /// `None` for coordinates with a mistake.
+    pub(crate) position: Option<Spanned<[f64; 3]>>,
+}
+
+/// The points of a section `[points]`.
+pub(crate) fn read_points(section: &Section, report: &mut Report) -> Vec<PointFile> {
     let mut points = vec![];
     for (name, value) in section.entries() {
         let what = format!("the point `{}`", name.get_ref());
         let position = <[f64; 3]>::read(value, &what, report);
-        points.push((name, position.map(|position| Spanned::new(value.span(), position))));
+        let position = position.map(|position| Spanned::new(value.span(), position));
+        points.push(PointFile { name, position });
     }
     points
 }

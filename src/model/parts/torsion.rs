@@ -1,5 +1,7 @@
 //! Torsion springs: moments about an axis that two bodies share.
 
+use toml::Spanned;
+
 use super::Parts;
 use super::law::ANGLE;
 use super::line::{Element, preloaded};
@@ -43,7 +45,7 @@ impl Parts<'_> {
             section.clash("free_angle", "preload", help, report);
             return None;
         }
-        let free = free.map_or(0.0, |free| free.into_inner());
+        let free = free.map_or(0.0, Spanned::into_inner);
         match (curve?, preload) {
             (Curve::Table(table), None) => Some((Curve::Table(table.shifted(free)), 0.0)),
             (Curve::Table(table), Some(preload)) => {

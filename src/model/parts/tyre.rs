@@ -1,5 +1,7 @@
 //! Vertical tyres on level ground.
 
+use toml::Spanned;
+
 use super::Parts;
 use super::law::LENGTH;
 use super::line::Element;
@@ -38,11 +40,11 @@ impl Parts<'_> {
         let help = "write the height of the ground, the z of the file: `ground = -428.0`";
         let ground = self.number(section, "ground", Quantity::Length, help, report);
         let lift_off = section.optional::<bool>("lift_off", report);
-        let lift_off = lift_off.is_none_or(|lift_off| lift_off.into_inner());
+        let lift_off = lift_off.is_none_or(Spanned::into_inner);
         let acts = if lift_off { Acts::Below } else { Acts::Always };
         Some(TyreFile {
             contact: contact?.into_inner(),
-            free_radius: free_radius.map(|radius| radius.into_inner()),
+            free_radius: free_radius.map(Spanned::into_inner),
             ground: self.axes.to_iso([0.0, 0.0, ground?.into_inner()])[2],
             law: Law { elastic: curve?.reversed(), viscous, preload: 0.0, acts },
         })

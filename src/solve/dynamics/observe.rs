@@ -4,8 +4,8 @@ use super::Dynamics;
 use super::start::center;
 use crate::mechanism::{BodyId, PointId};
 use crate::relation::Coordinates;
-use crate::solve::motion::{Twist, point_position};
-use crate::vector::{add, cross, norm, rotate, sub};
+use crate::solve::motion::{self, Twist, point_position};
+use crate::vector::{add, cross, norm, sub};
 
 impl Dynamics {
     /// Where a point of a body is (m). The point moves with the body, whichever joint it belongs to.
@@ -45,11 +45,7 @@ impl Dynamics {
     /// The rotation matrix of a body, row by row: it turns directions from the design position to
     /// the present one.
     pub fn rotation(&self, body: BodyId) -> [[f64; 3]; 3] {
-        let q = &self.now.state[body.index()];
-        let p = [q[3], q[4], q[5], q[6]];
-        let columns =
-            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| rotate(p, axis));
-        std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]))
+        motion::rotation(&self.now.state, body)
     }
 
     /// The largest speed of all bodies (m/s), at their centres of mass and, times the size of the
