@@ -98,23 +98,44 @@ fn atan_ratio_far_from_zero(x: f64, order: u8) -> f64 {
     value
 }
 
-/// A forward dual number `value + ε derivative`, ε² = 0.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Dual {
-    /// The value.
-    pub value: f64,
-    /// The directional derivative.
-    pub derivative: f64,
+/// A scalar that is one number, whose size decides between cases.
+///
+/// Formulas of factors ask with it whether something is defined, such as the
+/// intersection of lines; a kernel never does.
+pub trait Real: Scalar {
+    /// The number itself, without derivative parts.
+    fn value(self) -> f64;
 }
 
-impl Dual {
+impl Real for f64 {
+    fn value(self) -> f64 {
+        self
+    }
+}
+
+/// A forward dual number `value + ε derivative`, ε² = 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Dual<S = f64> {
+    /// The value.
+    pub value: S,
+    /// The directional derivative.
+    pub derivative: S,
+}
+
+impl<S: Copy> Dual<S> {
     /// The dual number `value + ε derivative`.
-    pub const fn new(value: f64, derivative: f64) -> Self {
+    pub const fn new(value: S, derivative: S) -> Self {
         Self { value, derivative }
     }
 }
 
-impl Add for Dual {
+impl<S: Real> Real for Dual<S> {
+    fn value(self) -> f64 {
+        self.value.value()
+    }
+}
+
+impl<S: Scalar> Add for Dual<S> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -122,7 +143,7 @@ impl Add for Dual {
     }
 }
 
-impl Sub for Dual {
+impl<S: Scalar> Sub for Dual<S> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -130,7 +151,7 @@ impl Sub for Dual {
     }
 }
 
-impl Mul for Dual {
+impl<S: Scalar> Mul for Dual<S> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -141,7 +162,7 @@ impl Mul for Dual {
     }
 }
 
-impl Div for Dual {
+impl<S: Scalar> Div for Dual<S> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
@@ -150,7 +171,7 @@ impl Div for Dual {
     }
 }
 
-impl Neg for Dual {
+impl<S: Scalar> Neg for Dual<S> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -158,25 +179,23 @@ impl Neg for Dual {
     }
 }
 
-impl Scalar for Dual {
+impl<S: Scalar> Scalar for Dual<S> {
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
-        Self::new(value, 0.0)
+        Self::new(S::from_f64(value), S::from_f64(0.0))
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        Self::new(root, self.derivative / (2.0 * root))
+        Self::new(root, self.derivative / (S::from_f64(2.0) * root))
     }
     #[inline(always)]
     fn sin(self) -> Self {
-        let (sin, cos) = self.value.sin_cos();
-        Self::new(sin, self.derivative * cos)
+        Self::new(self.value.sin(), self.derivative * self.value.cos())
     }
     #[inline(always)]
     fn cos(self) -> Self {
-        let (sin, cos) = self.value.sin_cos();
-        Self::new(cos, -self.derivative * sin)
+        Self::new(self.value.cos(), -(self.derivative * self.value.sin()))
     }
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {

@@ -7,6 +7,7 @@ mod axles;
 use axles::{CUT, axle, close, load};
 use hardpoint::model::{Axes, Drive, Model, Setup, Side, WheelSupport};
 use hardpoint::rig::{Axle, Corner, Event, Held, LoadPoint, Pose, Sweep, SweepPlan, WheelLoad};
+use hardpoint::solve::Twist;
 
 /// All numbers of a pose that do not depend on axes and side.
 fn numbers(pose: &Pose<f64>) -> Vec<f64> {
@@ -15,8 +16,16 @@ fn numbers(pose: &Pose<f64>) -> Vec<f64> {
     numbers.extend(pose.wheel.spin);
     numbers.extend(pose.rotation.as_flattened());
     let axis = pose.steer_axis.expect("a double wishbone has a steer axis");
-    numbers.extend(axis.lower);
-    numbers.extend(axis.upper);
+    numbers.extend(axis.from);
+    numbers.extend(axis.to);
+    if let Some(spring) = pose.spring {
+        numbers.extend([spring.from, spring.to].as_flattened());
+    }
+    if let Some(motions) = &pose.motions {
+        let Twist { velocity, rotation } = motions.travel.wheel;
+        // Rates, like loads, are solutions of one linear system and have two digits less.
+        numbers.extend([velocity, rotation].as_flattened().iter().map(|rate| 0.01 * rate));
+    }
     if let Some(WheelLoad { force, rate }) = pose.load {
         numbers.extend([force * 1e-5, rate.unwrap_or_default() * 1e-6]);
     }
@@ -33,8 +42,15 @@ fn mirrored(pose: &Pose<f64>) -> Vec<f64> {
     let [a, b, c] = image.rotation.map(turn);
     image.rotation = [a, b.map(|x| -x), c];
     if let Some(axis) = &mut image.steer_axis {
-        axis.lower = turn(axis.lower);
-        axis.upper = turn(axis.upper);
+        (axis.from, axis.to) = (turn(axis.from), turn(axis.to));
+    }
+    if let Some(spring) = &mut image.spring {
+        (spring.from, spring.to) = (turn(spring.from), turn(spring.to));
+    }
+    if let Some(motions) = &mut image.motions {
+        let Twist { velocity, rotation } = &mut motions.travel.wheel;
+        *velocity = turn(*velocity);
+        *rotation = turn(*rotation).map(|x| -x);
     }
     numbers(&image)
 }

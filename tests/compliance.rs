@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use hardpoint::factors::FACTORS;
 use hardpoint::mechanism::PointId;
 use hardpoint::model::{Model, Setup, WheelSupport};
-use hardpoint::rig::{Corner, LOAD_COMPONENTS, Load, LoadPoint, Pose, Specimen as _};
+use hardpoint::rig::{Corner, LOAD_COMPONENTS, Load, LoadPoint, Pose, Specimen as _, Stand};
 
 type Row = HashMap<String, String>;
 
@@ -97,7 +97,7 @@ fn the_sedan_on_bushings() {
         assert!(found.relative_residual <= 1e-12, "{what}: {found:?}");
         let pose = corner.pose();
         all_close(&format!("{what} wheel"), pose.wheel.center, vector(row, "wc"), 1e-11);
-        let contact = on_upright(&corner, "contact_patch_at_design");
+        let contact = on_upright(&corner, "contact patch at design");
         all_close(&format!("{what} contact"), contact, vector(row, "cp"), 1e-11);
         for (name, column) in [("toe", "toe_deg"), ("camber", "camber_deg")] {
             let found = factor(&model, &pose, name);
@@ -178,6 +178,66 @@ fn the_compliant_corner() {
             let found = model.axes.from_iso(force.map(|x| -x));
             let expected = vector(&row, column);
             all_close(&format!("{case} {column}"), found, expected, 1e-3);
+        }
+    }
+}
+
+/// A bushing that resists rotation with the energy ½ θᵀKθ balances a moment that turns it far. What
+/// is told of it is the moment, not its part along the angles.
+#[test]
+fn the_moment_of_a_bushing_is_the_one_that_it_balances() {
+    use hardpoint::model::{Axes, Document};
+    for angles in ["xyz", "rotation-vector"] {
+        for law in ["energy", "torque"] {
+            let text = format!(
+                r#"
+format = 1
+name = "Bushing"
+ground = "ground"
+[units]
+length = "m"
+angle = "deg"
+force = "N"
+[points]
+center = [0.0, 0.0, 0.0]
+[bodies]
+body = "On a ball joint"
+[[joints]]
+name = "ball"
+kind = "spherical"
+between = ["ground", "body"]
+at = "center"
+[[forces]]
+name = "bushing"
+kind = "bushing"
+between = ["ground", "body"]
+at = "center"
+x_axis = "y"
+stiffness = [0.0, 0.0, 0.0]
+rotational_stiffness = [1.0, 1.5, 2.0]
+angles = "{angles}"
+law = "{law}"
+[[forces]]
+name = "moment"
+kind = "moment"
+body = "body"
+moment = [30.0, 20.0, 60.0]
+"#
+            );
+            let Ok(Document::Mechanism(model)) = Document::parse("bushing.toml", &text) else {
+                panic!("the file is a mechanism");
+            };
+            let mut stand = Stand::new(model.mechanism, &[], Axes::Iso8855).unwrap();
+            stand.rest().unwrap();
+            let channel = |name: &str| {
+                let channel = stand.force_channels().iter().find(|channel| channel.name == name);
+                channel.unwrap().value(&stand.equilibrium().loaded(), &[], Axes::Iso8855)
+            };
+            // The axes of the bushing are y, −x and z.
+            let expected = [("bushing_mx", -20.0), ("bushing_my", 30.0), ("bushing_mz", -60.0)];
+            for (name, moment) in expected {
+                assert!((channel(name) - moment).abs() < 1e-9, "{angles} {law} {name}");
+            }
         }
     }
 }

@@ -173,7 +173,7 @@ fn the_matrix_of_the_contact_patches_is_that_of_loads_at_the_patches() {
         axle.set_load(&loads);
         axle.rest().unwrap();
         SIDES.map(|side| {
-            let name = format!("{}_contact_patch_at_design", side.name());
+            let name = format!("{} contact patch at design", side.name());
             let point = axle.stand().mechanism().point_named(&name).unwrap();
             let body = axle.suspension().sides[side.index()].wheel.body;
             let mut pose = axle.pose(side);

@@ -116,3 +116,26 @@ fn a_motion_into_a_dead_end_stops_there_and_keeps_what_was_reached() {
     );
     assert!(motion.state().iter().flatten().all(|x| x.is_finite()));
 }
+
+/// A spring that pushes away what leaves it: the motion grows without bound, in fewer and fewer
+/// microseconds a step, and is told as what it is.
+#[test]
+fn a_runaway_ends_in_a_named_failure() {
+    let mut m = Mechanism::new("ground");
+    let (low, high) =
+        (m.add_point("low", [0.0; 3]).unwrap(), m.add_point("high", [0.0, 0.0, 0.4]).unwrap());
+    let body = m.add_body("carriage", [0.0, 0.0, 0.4]).unwrap();
+    let axis = hardpoint::mechanism::Direction::Fixed([0.0, 0.0, 1.0]);
+    m.add_joint("rail", BodyId::GROUND, body, JointKind::Translational { at: high, axis }).unwrap();
+    let center = [0.0, 0.0, 0.4];
+    m.set_mass(body, MassProperties { mass: 3.0, center, inertia: [0.0; 6] }).unwrap();
+    let (reference, law) = (Reference::Length(0.399), Law::spring(-3000.0));
+    let spring = ForceKind::Line { on_i: low, on_j: high, reference, law };
+    m.add_force("spring", BodyId::GROUND, body, spring).unwrap();
+    let mut motion = dynamics(&m, Integrator::adaptive(1e-8)).unwrap();
+    let failure = motion.advance_to(5.0).unwrap_err();
+    assert!(matches!(failure, DynamicsFailure::RanAway { .. }), "{failure}");
+    assert!(failure.to_string().contains("carriage is 1"), "{failure}");
+    // x'' = 1000 x from 1 mm reaches 1000 m after ln(2e6)/√1000 s.
+    assert!((motion.time() - 2e6_f64.ln() / 1000.0_f64.sqrt()).abs() < 0.01, "{}", motion.time());
+}

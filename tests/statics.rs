@@ -4,8 +4,8 @@ mod common;
 
 use common::sedan::{placed_sedan, sedan};
 use hardpoint::mechanism::{
-    Acts, BodyId, Contact, Direction, DriverKind, ForceKind, JointKind, Law, LoadFrame,
-    MassProperties, Mechanism, PointId, Reference,
+    Acts, BodyId, Contact, Curve, Direction, DriverKind, ForceKind, JointKind, Law, LoadFrame,
+    MassProperties, Mechanism, PointId, Reference, Spline,
 };
 use hardpoint::solve::equilibrium::Equilibrium;
 use hardpoint::solve::{StaticFailure, StaticReport, System};
@@ -216,7 +216,7 @@ fn a_tyre_in_the_air_is_named() {
         } else {
             let failure = found.unwrap_err();
             assert!(matches!(failure, StaticFailure::Airborne { .. }), "{failure:?}");
-            assert!(failure.to_string().contains("tyre tyre is in the air"), "{failure}");
+            assert!(failure.to_string().contains("the tyre `tyre` is in the air"), "{failure}");
         }
     }
 }
@@ -281,4 +281,61 @@ fn drivers_hold_or_let_go() {
     let mut free = Equilibrium::released(&system, &[lift]);
     free.find().unwrap();
     assert!((free.state()[1][2] - 0.37057).abs() < 1e-12);
+}
+
+/// A spring wound up by several turns: spring and preload cancel where it comes to rest, and what
+/// rounding leaves of them is no load.
+#[test]
+fn a_preload_of_several_turns_unwinds() {
+    for preload in [100.0, 180.0, 250.0, 500.0] {
+        let mut m = Mechanism::new("ground");
+        let pivot = m.add_point("pivot", [0.0; 3]).unwrap();
+        let rod = m.add_body("rod", [0.0; 3]).unwrap();
+        let axis = Direction::Fixed([0.0, 1.0, 0.0]);
+        m.add_joint("hinge", BodyId::GROUND, rod, JointKind::Revolute { at: pivot, axis }).unwrap();
+        let law = Law { preload: -preload, ..Law::spring(0.5_f64.to_degrees()) };
+        m.add_force("spring", BodyId::GROUND, rod, ForceKind::Torsion { axis, law }).unwrap();
+        let (found, equilibrium) = find(m);
+        found.unwrap();
+        let angle = equilibrium.elements().values()[0].to_degrees();
+        assert!((angle - 2.0 * preload).abs() < 1e-9, "{preload}: {angle}");
+    }
+}
+
+/// A stiffness that is nothing but rounding is none.
+#[test]
+fn a_constant_force_holds_nothing() {
+    for force in [0.1, 0.7, 3.0, 5.0, 7.3, 11.1, 29.0] {
+        let table = vec![[-0.1, force], [0.2, force], [0.7, force]];
+        let elastic = Curve::Table(Spline::new("spring", table).unwrap());
+        let (m, _) = carriage(Some(Law { elastic, ..Law::default() }));
+        let failure = find(m).0.unwrap_err();
+        assert!(matches!(failure, StaticFailure::FreeMotion { .. }), "{force}: {failure}");
+    }
+}
+
+/// A door on two hinges: what they hold twice is shared in a way that rigid bodies do not say.
+#[test]
+fn shared_reactions_are_marked_at_both_joints() {
+    let mut m = Mechanism::new("ground");
+    let door = m.add_body("door", [0.0; 3]).unwrap();
+    let axis = Direction::Fixed([0.0, 0.0, 1.0]);
+    for (name, height) in [("low", 0.0), ("high", 1.0)] {
+        let at = m.add_point(name, [0.0, 0.0, height]).unwrap();
+        m.add_joint(name, BodyId::GROUND, door, JointKind::Revolute { at, axis }).unwrap();
+    }
+    let edge = m.add_point("edge", [0.8, 0.0, 0.5]).unwrap();
+    let leaf = m.add_body("leaf", [0.8, 0.0, 0.5]).unwrap();
+    m.add_joint("alone", door, leaf, JointKind::Fixed { at: edge }).unwrap();
+    let law = Law::spring(10.0);
+    m.add_force("spring", BodyId::GROUND, door, ForceKind::Torsion { axis, law }).unwrap();
+    let center = [0.8, 0.0, 0.5];
+    m.set_mass(leaf, MassProperties { mass: 3.0, center, inertia: [0.0; 6] }).unwrap();
+    m.set_gravity([0.0, 0.0, -9.81]).unwrap();
+    let (found, equilibrium) = find(m);
+    found.unwrap();
+    let unique: Vec<bool> = equilibrium.reactions().iter().map(|r| r.unique).collect();
+    assert_eq!(unique, [false, false, true]);
+    let weight: f64 = equilibrium.reactions()[..2].iter().map(|r| r.on_j.force[2]).sum();
+    assert!((weight - 29.43).abs() < 1e-12, "{weight}");
 }

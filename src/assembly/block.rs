@@ -9,20 +9,23 @@ const SIZE: usize = 2 * BODY_COORDINATES;
 #[derive(Clone)]
 pub(super) struct Block {
     force: [f64; SIZE],
+    size: [f64; SIZE],
     matrix: [[f64; SIZE]; SIZE],
 }
 
 impl Block {
     pub(super) fn new() -> Self {
-        Self { force: [0.0; SIZE], matrix: [[0.0; SIZE]; SIZE] }
+        Self { force: [0.0; SIZE], size: [0.0; SIZE], matrix: [[0.0; SIZE]; SIZE] }
     }
 
     pub(super) fn clear(&mut self) {
         *self = Self::new();
     }
 
-    pub(super) fn add_force(&mut self, local: u8, value: f64) {
+    /// Adds a force that is the sum of parts of the given size together.
+    pub(super) fn add_force(&mut self, local: u8, value: f64, size: f64) {
         self.force[usize::from(local)] += value;
+        self.size[usize::from(local)] += size.abs();
     }
 
     pub(super) fn add(&mut self, row: u8, column: u8, value: f64) {
@@ -58,11 +61,11 @@ impl Places {
         self.slots = self.entries().map(|(row, column)| slot(row, column)).collect();
     }
 
-    /// Adds the force of a block; `magnitude` takes its absolute values.
+    /// Adds the force of a block; `magnitude` takes the sizes of its parts.
     pub(super) fn scatter_force(&self, block: &Block, force: &mut [f64], magnitude: &mut [f64]) {
         for &(local, unknown) in &self.unknowns {
             force[unknown] += block.force[local];
-            magnitude[unknown] += block.force[local].abs();
+            magnitude[unknown] += block.size[local];
         }
     }
 

@@ -222,7 +222,8 @@ impl Elements {
         }
         let rows = if shape.has_work() { (shape.work, &*work) } else { (shape.jacobian, &*phi_q) };
         for (&(equation, local), value) in rows.0.iter().zip(rows.1) {
-            block.add_force(local, value * lambda[usize::from(equation)]);
+            let response = &responses[usize::from(equation)];
+            block.add_force(local, value * response.force, value * response.size);
         }
         let Some(blend) = blend else { return };
 

@@ -87,14 +87,14 @@ impl Inertias {
         let place = inertia.motion(motion, h);
         let Some(blend) = blend else {
             inertia.kernels.force(place, &mut force);
-            (0..).zip(force).for_each(|(local, value)| block.add_force(local, value));
+            (0..).zip(force).for_each(|(local, value)| block.add_force(local, value, value));
             return;
         };
         let force_q = &mut self.force_q[..shape.force_q.len()];
         let force_v = &mut self.force_v[..shape.force_v.len()];
         let mass = &mut self.mass[..shape.mass.len()];
         inertia.kernels.tangent(place, &mut force, force_q, force_v, mass);
-        (0..).zip(force).for_each(|(local, value)| block.add_force(local, value));
+        (0..).zip(force).for_each(|(local, value)| block.add_force(local, value, value));
         for (&(row, column), value) in shape.force_q.iter().zip(force_q) {
             block.add(row, column, blend.stiffness * *value);
         }

@@ -85,6 +85,8 @@ pub struct Law {
 pub struct Response {
     /// λ.
     pub force: f64,
+    /// The sum of the sizes of the parts of λ, of which rounding is a share where they cancel.
+    pub size: f64,
     /// ∂λ/∂Φ, the stiffness.
     pub by_value: f64,
     /// ∂λ/∂Φ̇, the damping.
@@ -162,6 +164,7 @@ impl Law {
         }
         Response {
             force,
+            size: self.preload.abs() + elastic.value.abs() + viscous.value.abs(),
             by_value: elastic.first,
             by_rate: viscous.first,
             by_value_twice: elastic.second,

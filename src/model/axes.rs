@@ -1,5 +1,8 @@
 //! Axis systems and sides. Everything inside is in ISO 8855 axes.
 
+use crate::scalar::Scalar;
+use crate::vector::Vector;
+
 /// An axis system of a vehicle. All three are right-handed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axes {
@@ -36,25 +39,25 @@ impl Axes {
     }
 
     /// A vector given in these axes, in ISO 8855 axes.
-    pub fn to_iso(self, vector: [f64; 3]) -> [f64; 3] {
-        let signs = self.signs();
+    pub fn to_iso<S: Scalar>(self, vector: Vector<S>) -> Vector<S> {
+        let signs = self.signs().map(S::from_f64);
         // Adding zero turns −0 into 0, which would print as "-0.000".
-        std::array::from_fn(|i| signs[i] * vector[i] + 0.0)
+        std::array::from_fn(|i| signs[i] * vector[i] + S::from_f64(0.0))
     }
 
     /// A vector given in ISO 8855 axes, in these axes.
-    pub fn from_iso(self, vector: [f64; 3]) -> [f64; 3] {
+    pub fn from_iso<S: Scalar>(self, vector: Vector<S>) -> Vector<S> {
         self.to_iso(vector)
     }
 
     /// A rotation matrix (rows first) given in these axes, in ISO 8855 axes: D R D.
-    pub fn rotation_to_iso(self, matrix: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
-        let signs = self.signs();
-        std::array::from_fn(|i| std::array::from_fn(|j| signs[i] * matrix[i][j] * signs[j] + 0.0))
+    pub fn rotation_to_iso<S: Scalar>(self, matrix: [[S; 3]; 3]) -> [[S; 3]; 3] {
+        let (signs, zero) = (self.signs().map(S::from_f64), S::from_f64(0.0));
+        std::array::from_fn(|i| std::array::from_fn(|j| signs[i] * matrix[i][j] * signs[j] + zero))
     }
 
     /// A rotation matrix (rows first) given in ISO 8855 axes, in these axes: D R D.
-    pub fn rotation_from_iso(self, matrix: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    pub fn rotation_from_iso<S: Scalar>(self, matrix: [[S; 3]; 3]) -> [[S; 3]; 3] {
         self.rotation_to_iso(matrix)
     }
 }

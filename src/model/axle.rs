@@ -1,7 +1,7 @@
 //! Both sides of a vehicle in one mechanism.
 
 use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
-use super::suspension::Wheel;
+use super::suspension::{SpringLine, Wheel};
 use super::{AntiRollBar, Model, Side, SteerAxis, mean};
 use crate::mechanism::{
     BodyId, Direction, DriverId, DriverKind, Force, ForceId, ForceKind, JointKind, Law, Mechanism,
@@ -34,6 +34,8 @@ pub struct AxleSide {
     pub wheel: Wheel,
     /// The steer axis through two joints, where the architecture has one.
     pub steer_axis: Option<SteerAxis>,
+    /// The spring, where the model has one.
+    pub spring: Option<SpringLine>,
     /// Change of the height of the wheel (m), positive in jounce. It is there also where the wheel
     /// is free; whoever looks for an equilibrium on tyres releases it.
     pub travel: DriverId,
@@ -294,6 +296,9 @@ impl<'a> Half<'a> {
             steer_axis: architecture
                 .steer_axis
                 .map(|axis| SteerAxis { lower: end(axis.lower), upper: end(axis.upper) }),
+            spring: model.spring_line(|body| self.body(body)).map(|spring| SpringLine {
+                ends: spring.ends.map(|(point, body)| (self.point(point), body)),
+            }),
             travel,
             tyre,
         })

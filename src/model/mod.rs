@@ -20,10 +20,11 @@ mod quantity;
 mod read;
 mod resolve;
 mod setup;
-mod suggest;
+pub(crate) mod suggest;
 mod suspension;
 mod units;
 mod units_file;
+mod vehicle;
 
 pub use alignment::Alignment;
 pub use architecture::{Architecture, BodyRole, PointRole, SteerAxis};
@@ -35,8 +36,9 @@ pub use loads::{AntiRollBar, JointBushing, Tyre, TyreContact};
 pub use mechanism_file::MechanismModel;
 pub use quantity::Quantity;
 pub use setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
-pub use suspension::{Suspension, Wheel};
+pub use suspension::{SpringLine, Suspension, Wheel};
 pub use units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, Units};
+pub use vehicle::{Axle, Brakes, Vehicle};
 
 use crate::mechanism::{Force, MassProperties};
 use crate::vector::{add, scale, sub, unit};
@@ -64,6 +66,8 @@ pub struct Model {
     pub wheel_radius: f64,
     /// How the static spin axis is given.
     pub spin: SpinAxis,
+    /// The vehicle.
+    pub vehicle: Vehicle,
     /// Points required by the architecture, in its order, then optional ones, then the model's own.
     points: Vec<NamedPoint>,
     loads: Loads,

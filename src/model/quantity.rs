@@ -29,6 +29,15 @@ pub enum Quantity {
     Velocity,
     /// Angular speed, in rad/s inside.
     AngularVelocity,
+    /// A number without dimension.
+    Ratio,
+    /// A number without dimension, shown as a percentage.
+    Percent,
+    /// Angle by length, in rad/m inside. It is shown per metre, whatever the unit of length, as
+    /// suspension engineers do.
+    Gradient,
+    /// Way along a screw axis by angle, in m/rad inside.
+    Pitch,
 }
 
 impl Quantity {
@@ -47,6 +56,9 @@ impl Quantity {
             Self::Inertia => [0, 1, 2, 0, 0],
             Self::Velocity => [0, 0, 1, 0, -1],
             Self::AngularVelocity => [0, 0, 0, 1, -1],
+            Self::Ratio | Self::Percent => [0; 5],
+            Self::Gradient => [0, 0, 0, 1, 0],
+            Self::Pitch => [0, 0, 1, -1, 0],
         }
     }
 
@@ -60,8 +72,14 @@ impl Quantity {
         self.powers()[1] != 0
     }
 
-    /// The symbol of its unit, such as `N/mm` or `N·mm/deg`.
+    /// The symbol of its unit, such as `N/mm` or `N·mm/deg`; `1` for a number without dimension.
     pub fn symbol(self, units: Units) -> String {
+        match self {
+            Self::Ratio => return "1".to_owned(),
+            Self::Percent => return "%".to_owned(),
+            Self::Gradient => return format!("{}/m", units.angle.symbol()),
+            _ => {}
+        }
         let symbols = [
             units.force.symbol(),
             units.mass.symbol(),
@@ -82,6 +100,15 @@ impl Quantity {
         }
         let above = above.join("·");
         if below.is_empty() { above } else { format!("{above}/{}", below.join("·")) }
+    }
+
+    /// The heading of a column with values of this kind: the name with the unit, where there is one.
+    pub fn column(self, name: &str, units: Units) -> String {
+        match self {
+            Self::Ratio => name.to_owned(),
+            Self::Percent => format!("{name}_pct"),
+            _ => format!("{name}_{}", self.symbol(units)),
+        }
     }
 
     /// A value in the units of a file, in SI.
@@ -110,6 +137,9 @@ impl Quantity {
     fn ratio(self, units: Units) -> (f64, f64) {
         let ratios = [units.force.ratio(), units.mass.ratio(), units.length.ratio()];
         let mut product = (1.0, 1.0);
+        if self == Self::Percent {
+            return (1.0, 100.0);
+        }
         for ((numerator, denominator), power) in ratios.into_iter().zip(self.powers()) {
             let (times, by) =
                 if power < 0 { (denominator, numerator) } else { (numerator, denominator) };

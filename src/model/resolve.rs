@@ -15,7 +15,7 @@ use super::names::{Names, Unavailable};
 use super::parts::Parts;
 use super::read::Section;
 use super::units::{AngleUnit, Units};
-use super::{Model, NamedPoint, SpinAxis, load, suggest};
+use super::{Model, NamedPoint, SpinAxis, load, suggest, vehicle};
 
 /// A point of the file under its role, in the units and axes of the file.
 struct Placed {
@@ -31,6 +31,7 @@ pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) 
     let parts = Parts { names: &names, units: &file.units, axes: axes.unwrap_or(Axes::Iso8855) };
     let joints = architecture.as_ref().map_or(&[][..], |architecture| &architecture.joints);
     let loads = LoadsFile::read(root, &parts, joints, report);
+    let vehicle = vehicle::read(root, &parts, report);
     let points = match (&architecture, &file.points) {
         (Some(architecture), Some(points)) => place(architecture, &names, points, report),
         _ => None,
@@ -57,6 +58,7 @@ pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) 
         side: *side.get_ref(),
         wheel_radius: units.length.to_metres(*radius.get_ref()),
         spin,
+        vehicle: vehicle?,
         points,
         loads: loads.loads(&architecture, units.length.to_metres(*radius.get_ref())),
         architecture,

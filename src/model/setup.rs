@@ -22,6 +22,14 @@ impl Drive {
             Self::ContactPatch => "contact-patch",
         }
     }
+
+    /// What is driven, in words.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::WheelCenter => "wheel centre",
+            Self::ContactPatch => "contact patch",
+        }
+    }
 }
 
 /// What carries the wheel.

@@ -90,6 +90,7 @@ pub(crate) fn listed<'a>(names: impl IntoIterator<Item = &'a &'a str>) -> String
     quoted.join(", ")
 }
 
-fn plain(word: &str) -> String {
+/// The word without case and separators.
+pub(crate) fn plain(word: &str) -> String {
     word.trim().to_lowercase().replace(['_', '-', ' ', '.'], "")
 }

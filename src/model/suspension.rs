@@ -4,8 +4,8 @@ use super::architecture::WheelRole;
 use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
 use super::{Model, SpinAxis, SteerAxis, TyreContact, mean};
 use crate::mechanism::{
-    BodyId, Contact, Direction, DriverId, DriverKind, Force, ForceId, ForceKind, JointKind,
-    MassProperties, Mechanism, MechanismError, PointId,
+    Acts, BodyId, Contact, Curve, Direction, DriverId, DriverKind, Force, ForceId, ForceKind,
+    JointKind, MassProperties, Mechanism, MechanismError, PointId,
 };
 
 /// A mechanism together with what makes it a suspension, in SI units and ISO 8855 axes.
@@ -17,6 +17,8 @@ pub struct Suspension {
     pub wheel: Wheel,
     /// The steer axis through two joints, where the architecture has one.
     pub steer_axis: Option<SteerAxis>,
+    /// The spring, where the model has one.
+    pub spring: Option<SpringLine>,
     /// Displacement of the rack (m), positive along the y axis of the model's own axes;
     /// `None` for a suspension that does not steer.
     pub rack: Option<DriverId>,
@@ -56,6 +58,13 @@ impl Drive {
             Self::ContactPatch => DriverKind::PatchHeight { center, spin, radius },
         }
     }
+}
+
+/// The line of a spring: its ends and the bodies that they belong to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpringLine {
+    /// The ends.
+    pub ends: [(PointId, BodyId); 2],
 }
 
 /// The numbers of bodies in the mechanism: with the chassis on a slide, the road is the ground
@@ -120,6 +129,7 @@ impl Model {
             mechanism,
             wheel,
             steer_axis: architecture.steer_axis.map(|axis| numbers.steer_axis(axis)),
+            spring: self.spring_line(|body| numbers.body(body)),
             rack,
             travel,
             drive: setup.drive,
@@ -173,6 +183,26 @@ impl Model {
             add_force(mechanism, numbers, force)?;
         }
         Ok(())
+    }
+
+    /// The line of the first spring of the model, or else the one that the architecture knows. `number`
+    /// gives the bodies of the architecture their numbers in the mechanism.
+    pub(super) fn spring_line(&self, number: impl Fn(BodyId) -> BodyId) -> Option<SpringLine> {
+        for force in &self.loads.forces {
+            // Dampers, actuators and stops lie on lines, too.
+            let ForceKind::Line { on_i, on_j, law, .. } = &force.kind else { continue };
+            if law.acts == Acts::Always && law.elastic != Curve::Zero {
+                return Some(SpringLine {
+                    ends: [(*on_i, number(force.i)), (*on_j, number(force.j))],
+                });
+            }
+        }
+        let seats = self.architecture.spring.as_ref()?;
+        let end = |(name, body): &(String, BodyId)| {
+            let point = self.points.iter().position(|point| point.name == *name)?;
+            Some((PointId(point), number(*body)))
+        };
+        Some(SpringLine { ends: [end(&seats.lower)?, end(&seats.upper)?] })
     }
 
     /// The tyre as a force element with the numbers of the architecture.

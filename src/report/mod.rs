@@ -2,16 +2,18 @@
 
 mod compliance;
 mod csv;
+mod factors;
 mod json;
 mod settle;
 mod statics;
 mod table;
 
 pub use compliance::ComplianceReport;
+pub use factors::{FactorSheet, write_definitions};
 pub use settle::{SettleReport, SettleRow};
 pub use statics::StaticsReport;
 
-use crate::factors::{FACTORS, Factor};
+use crate::factors::{Convention, Definition, Factor, basic};
 use crate::model::{Axes, Drive, Quantity, Side, Units};
 use crate::rig::{Event, Pose, Row, Sweep, SweepPlan};
 
@@ -38,6 +40,11 @@ pub struct SweepReport<'a> {
     pub sweep: &'a Sweep,
     /// Whether forces and moments of joints are shown.
     pub reactions: bool,
+    /// The factors that are shown; otherwise those of [`BASIC`](crate::factors::BASIC) that there are, and what force
+    /// elements carry.
+    pub factors: Option<&'a [&'static Factor]>,
+    /// By whose definitions.
+    pub convention: Convention,
 }
 
 /// One column of a report.
@@ -81,7 +88,7 @@ enum From {
 impl Column {
     /// Name and unit.
     fn header(&self, units: Units) -> String {
-        format!("{}_{}", self.name, self.quantity.symbol(units))
+        self.quantity.column(&self.name, units)
     }
 }
 
@@ -115,7 +122,11 @@ impl SweepReport<'_> {
         } else {
             columns.extend(self.factors("", Wheel::First, |_| true));
         }
-        let joints = if self.reactions { usize::MAX } else { self.sweep.element_channels };
+        let joints = match (self.reactions, self.factors) {
+            (true, _) => usize::MAX,
+            (false, None) => self.sweep.element_channels,
+            (false, Some(_)) => 0,
+        };
         let channels = self.sweep.channels.iter().enumerate().take(joints);
         columns.extend(channels.map(|(index, channel)| Column {
             name: channel.name.clone(),
@@ -136,24 +147,48 @@ impl SweepReport<'_> {
         wheel: Wheel,
         chosen: impl Fn(&Factor) -> bool,
     ) -> impl Iterator<Item = Column> {
-        let has = move |factor: &&Factor| {
+        let has = |factor: &&Factor| {
             let mut poses = self.sweep.rows.iter().filter_map(|row| wheel.pose(row));
             let shown = self.sweep.rows.is_empty() && !self.sides.is_empty();
-            chosen(factor) && (shown || poses.any(|pose| (factor.value)(pose).is_some()))
+            shown || poses.any(|pose| factor.value(self.convention, pose).is_some())
+        };
+        let shown: Vec<&'static Factor> = match self.factors {
+            Some(factors) => factors.to_vec(),
+            None => basic().filter(has).collect(),
         };
         let (before, behind) = match side {
             "" => (String::new(), String::new()),
             side => (format!("{side}_"), format!(", {side} wheel")),
         };
-        FACTORS.iter().filter(has).map(move |factor| Column {
-            name: format!("{before}{}", factor.name),
-            title: format!("{}{behind}", factor.title),
-            quantity: factor.quantity,
-            sign: factor.sign.into(),
-            formula: factor.formula.into(),
-            source: factor.source.into(),
-            from: From::Factor(factor, wheel),
+        let convention = self.convention;
+        shown.into_iter().filter(move |factor| chosen(factor)).map(move |factor| {
+            let Definition { sign, formula, source, .. } = factor.by(convention);
+            Column {
+                name: format!("{before}{}", factor.name),
+                title: format!("{}{behind}", factor.title),
+                quantity: factor.quantity,
+                sign: sign.into(),
+                formula: formula.into(),
+                source: source.into(),
+                from: From::Factor(factor, wheel),
+            }
         })
+    }
+
+    /// Why columns that were asked for are empty, in words.
+    pub fn empty_columns(&self) -> Vec<String> {
+        let Some(pose) = self.sweep.rows.iter().find_map(|row| row.pose.as_ref()) else {
+            return vec![];
+        };
+        let why = |factor: &&Factor| {
+            let name = factor.name;
+            if let Some(axle) = factor.axle.filter(|_| !factor.applies(pose)) {
+                return Some(format!("`{name}` belongs to a {} axle", axle.name()));
+            }
+            let missing: Vec<_> = factor.missing(pose).collect();
+            (!missing.is_empty()).then(|| format!("`{name}` needs {}", factors::words(&missing)))
+        };
+        self.factors.into_iter().flatten().filter_map(why).collect()
     }
 
     /// The values of a row in the units of the model, to 15 significant digits: what lies
@@ -161,7 +196,7 @@ impl SweepReport<'_> {
     fn values(&self, columns: &[Column], row: &Row) -> Vec<Option<f64>> {
         let units = self.units;
         let value = |column: &Column| match column.from {
-            From::Factor(factor, wheel) => factor.show(units, wheel.pose(row)?),
+            From::Factor(factor, wheel) => factor.show_by(self.convention, units, wheel.pose(row)?),
             From::Plan => Some(column.quantity.show(units, row.value)),
             From::Channel(channel) => Some(column.quantity.show(units, row.channels[channel])),
         };

@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::rounded;
 use super::table::cell;
-use crate::factors::FACTORS;
+use crate::factors::basic;
 use crate::mechanism::ForceKind;
 use crate::model::{Axes, Quantity, Units};
 use crate::rig::{Channel, Pose};
@@ -50,7 +50,7 @@ impl StaticsReport<'_> {
         writeln!(writer, "{}", self.how())?;
         if let Some(pose) = self.pose {
             writeln!(writer, "\nwheel")?;
-            for factor in FACTORS {
+            for factor in basic() {
                 if let Some(value) = factor.show(self.units, pose) {
                     let unit = factor.quantity.symbol(self.units);
                     let value = cell(Some(value));
@@ -81,16 +81,30 @@ impl StaticsReport<'_> {
             "bushings: force [{force}] and moment [{torque}] on the second body, in the bushing's axes"
         );
         lines(&mut writer, &head, ["Fx", "Fy", "Fz", "Mx", "My", "Mz"], &self.bushings(true))?;
-        let others = || self.elements.iter().filter(|channel| !self.is_bushing(channel));
-        if others().next().is_some() {
-            writeln!(writer, "\nother force elements")?;
-            let width = others().map(|c| c.title.chars().count()).max().unwrap_or(0);
-            for channel in others() {
-                let unit = channel.quantity.symbol(self.units);
-                let value = cell(Some(self.element_value(channel)));
-                let (title, sign) = (&channel.title, channel.sign);
-                writeln!(writer, "  {title:<width$} {value:>14} {unit:<8} {sign}")?;
-            }
+        self.write_channels(&mut writer, "drivers", |channel| channel.force().is_none())?;
+        self.write_channels(&mut writer, "other force elements", |channel| {
+            channel.force().is_some() && !self.is_bushing(channel)
+        })
+    }
+
+    /// Writes the channels of a group, one in a line; nothing where there are none.
+    fn write_channels(
+        &self,
+        writer: &mut impl io::Write,
+        head: &str,
+        belongs: impl Fn(&Channel) -> bool,
+    ) -> io::Result<()> {
+        let channels: Vec<&Channel> = self.elements.iter().filter(|c| belongs(c)).collect();
+        if channels.is_empty() {
+            return Ok(());
+        }
+        writeln!(writer, "\n{head}")?;
+        let width = channels.iter().map(|c| c.title.chars().count()).max().unwrap_or(0);
+        for channel in channels {
+            let unit = channel.quantity.symbol(self.units);
+            let value = cell(Some(self.element_value(channel)));
+            let (title, sign) = (&channel.title, channel.sign);
+            writeln!(writer, "  {title:<width$} {value:>14} {unit:<8} {sign}")?;
         }
         Ok(())
     }
@@ -116,14 +130,18 @@ impl StaticsReport<'_> {
             };
             Value::Object(lines.into_iter().map(entry).collect::<Map<_, _>>())
         };
-        let factors = FACTORS.iter().filter_map(|factor| {
+        let factors = basic().filter_map(|factor| {
             let value = factor.show(self.units, self.pose?)?;
             Some((factor.column(self.units), json!(rounded(value))))
         });
-        let elements = self.elements.iter().map(|channel| {
-            let value = rounded(self.element_value(channel));
-            (format!("{}_{}", channel.name, unit(channel.quantity)), json!(value))
-        });
+        let channels = |drivers: bool| -> Map<_, _> {
+            let group = self.elements.iter().filter(|c| c.force().is_none() == drivers);
+            let value = |channel: &Channel| {
+                let value = rounded(self.element_value(channel));
+                (format!("{}_{}", channel.name, unit(channel.quantity)), json!(value))
+            };
+            group.map(value).collect()
+        };
         let stiffness = self.found.stiffness;
         json!({
             "title": self.title,
@@ -140,7 +158,8 @@ impl StaticsReport<'_> {
             "wheel": factors.collect::<Map<_, _>>(),
             "bodies": object(self.bodies(), ["displacement", "rotation"]),
             "joints": object(self.joints(), ["force", "moment"]),
-            "force_elements": elements.collect::<Map<_, _>>(),
+            "drivers": channels(true),
+            "force_elements": channels(false),
         })
     }
 
@@ -176,9 +195,13 @@ impl StaticsReport<'_> {
                 let turned = rotation_angles(self.axes.rotation_from_iso(rotation(state, id)));
                 let lengths = moved.map(|x| Quantity::Length.show(self.units, x));
                 let angles = turned.map(|x| Quantity::Angle.show(self.units, x));
+                let [x, y, z] = self.axes.from_iso(body.origin).map(|x| {
+                    let length = rounded(Quantity::Length.show(self.units, x));
+                    format!("{length:.3}")
+                });
                 Line {
                     name: body.name.clone(),
-                    note: String::new(),
+                    note: format!("origin at ({x}, {y}, {z}) at design"),
                     values: [lengths, angles].concat(),
                 }
             })
@@ -227,8 +250,12 @@ impl StaticsReport<'_> {
                     false => ["x", "y", "z", "rx", "ry", "rz"],
                 };
                 let value = |end: &str| {
-                    let name = format!("{}_{end}", force.name);
-                    let channel = self.elements.iter().find(|channel| channel.name == name);
+                    let mut own = self.elements.iter().filter(|c| c.force() == Some(id));
+                    // A number behind the name tells it from another part with this name.
+                    let channel = own.find(|channel| {
+                        let rest = channel.name[force.name.len() + 1..].strip_prefix(end);
+                        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
+                    });
                     channel.map_or(f64::NAN, |channel| self.element_value(channel))
                 };
                 let body = &mechanism.bodies()[force.j.index()].name;

@@ -1,19 +1,16 @@
 //! An axle on the rig.
 
-use super::channel::{Channel, element_channels};
+use super::channel::{Channel, distinct, driver_channels, element_channels};
 use super::corner::RigError;
 use super::load::{Load, LoadPoint, WheelLoads};
-use super::pose::{self, Pose, Wheel, WheelLoad};
+use super::pose::Pose;
 use super::stand::Stand;
+use super::station::Station;
 use super::sweep::{Specimen, SweepPlan};
-use crate::mechanism::{BodyId, Force, PointId};
+use crate::mechanism::Force;
 use crate::model::{Axes, AxleSide, AxleSuspension, Model, Setup, Side, WheelSupport};
 use crate::solve::equilibrium::Equilibrium;
-use crate::solve::{
-    FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop, point_position,
-    rotation,
-};
-use crate::vector::dot;
+use crate::solve::{FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop};
 
 /// Both wheels of an axle on the rig, the chassis fixed.
 ///
@@ -21,7 +18,7 @@ use crate::vector::dot;
 /// model has forces, every state is one of static equilibrium. Pairs of values are left, right.
 pub struct Axle {
     suspension: AxleSuspension,
-    setup: Setup,
+    stations: [Station; 2],
     stand: Stand,
     loads: Option<[WheelLoads; 2]>,
     load: [Load; 2],
@@ -72,7 +69,7 @@ impl Axle {
             true => {
                 let AxleSuspension { mechanism, sides, .. } = &mut suspension;
                 let mut add = |part: &AxleSide| {
-                    let prefix = format!("{}_", part.side.name());
+                    let prefix = format!("{} ", part.side.name());
                     WheelLoads::add(mechanism, &part.wheel, &prefix, at, axes)
                 };
                 Some([add(&sides[0])?, add(&sides[1])?])
@@ -84,14 +81,22 @@ impl Axle {
             WheelSupport::Free => suspension.sides.map(|part| part.travel).to_vec(),
         };
         let stand = Stand::new(suspension.mechanism.clone(), &released, axes)?;
-        // What the rig puts on the wheels is an input, not a result.
-        let elements = element_channels(stand.mechanism(), stand.system().expansion())
-            .into_iter()
-            .filter(|channel| channel.force().is_some_and(|force| force.index() < own_forces));
+        let mut elements = vec![];
+        if loads.is_some() {
+            let (mechanism, expansion) = (stand.mechanism(), stand.system().expansion());
+            // The forces of the travel drivers are the wheel loads, which are factors.
+            let travels = suspension.sides.map(|part| part.travel);
+            elements.extend(driver_channels(mechanism, expansion, &travels));
+            // What the rig puts on the wheels is an input, not a result.
+            let own = |channel: &Channel| channel.force().is_some_and(|f| f.index() < own_forces);
+            elements.extend(element_channels(mechanism, expansion).into_iter().filter(own));
+            distinct(elements.iter_mut());
+        }
+        let rack = suspension.rack;
         Ok(Self {
-            elements: elements.collect(),
+            stations: suspension.sides.map(|part| Station::of_axle(&part, rack, model, setup)),
             load: [Load::default(); 2],
-            setup: *setup,
+            elements,
             suspension,
             stand,
             loads,
@@ -105,22 +110,13 @@ impl Axle {
         self.stand.freedom()
     }
 
-    /// The free motions that move a wheel or a steer axis of a model without forces; with one of
+    /// The free motions that move a wheel, a steer axis or a spring of a model without forces; with one of
     /// them their position is not determined by travels and rack.
     pub fn free_wheel_motions(&self) -> impl Iterator<Item = &FreeMotion> {
-        let bodies: Vec<BodyId> = self
-            .suspension
-            .sides
-            .iter()
-            .flat_map(|part| {
-                let axis = part.steer_axis.iter().flat_map(|axis| [axis.lower.1, axis.upper.1]);
-                axis.chain([part.wheel.body])
-            })
-            .collect();
         let kinematic = self.loads.is_none();
         let motions = self.freedom().free_motions.iter();
         motions.filter(move |motion| {
-            kinematic && motion.bodies.iter().any(|body| bodies.contains(body))
+            kinematic && self.stations.iter().any(|station| station.is_moved(motion))
         })
     }
 
@@ -188,62 +184,15 @@ impl Axle {
         self.stand.reset();
     }
 
-    /// The channels of force elements; none where the model has no forces.
+    /// The channels of the rack and of force elements; none where the model has no forces.
     pub fn element_channels(&self) -> &[Channel] {
         &self.elements
     }
 
-    /// Where wheel and steer axis of one side are, and what the wheel carries. The rate is that with
-    /// the other wheel held.
+    /// Where wheel, steer axis and spring of one side are, how they move, and what the wheel carries. Motion
+    /// and rate are those with the other wheel held.
     pub fn pose(&mut self, side: Side) -> Pose<f64> {
-        let part = self.suspension.sides[side.index()];
-        let load = self.wheel_load(&part);
-        let state = self.stand.state();
-        let mechanism = self.stand.mechanism();
-        let turned = rotation(state, part.wheel.body);
-        let point =
-            |(point, body): (PointId, BodyId)| point_position(mechanism, state, body, point);
-        let center = point((part.wheel.center, part.wheel.body));
-        let driven = |driver| self.stand.driver_value(driver);
-        let travel = match self.setup.support {
-            WheelSupport::Held => driven(part.travel),
-            WheelSupport::Free => {
-                center[2] - mechanism.points()[part.wheel.center.index()].position[2]
-            }
-        };
-        Pose {
-            travel,
-            rack: self.suspension.rack.map_or(0.0, driven),
-            wheel: Wheel {
-                center,
-                spin: turned.map(|row| dot(row, part.wheel.spin_axis)),
-                radius: part.wheel.radius,
-            },
-            rotation: turned,
-            steer_axis: part
-                .steer_axis
-                .map(|axis| pose::Axle { lower: point(axis.lower), upper: point(axis.upper) }),
-            load,
-            side,
-            axes: self.axes,
-        }
-    }
-
-    /// The vertical force on a wheel and how it grows with its travel.
-    fn wheel_load(&mut self, part: &AxleSide) -> Option<WheelLoad<f64>> {
-        if !self.stand.is_loaded() || !self.stand.is_in_equilibrium() {
-            return None;
-        }
-        match self.setup.support {
-            WheelSupport::Held => {
-                let force = -self.stand.equilibrium().driver_multiplier(part.travel);
-                Some(WheelLoad { force, rate: self.stand.driver_rate(part.travel) })
-            }
-            WheelSupport::Free => {
-                let force = self.stand.equilibrium().loaded().force(part.tyre?);
-                Some(WheelLoad { force: force.force[2], rate: None })
-            }
-        }
+        self.stations[side.index()].pose(&mut self.stand, &self.suspension.mechanism)
     }
 }
 

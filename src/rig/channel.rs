@@ -1,10 +1,12 @@
 //! What force elements and joints carry, number by number.
 
+use std::collections::HashSet;
+
 use crate::kernels::RelationKind;
 use crate::mechanism::{BodyId, DriverId, Expansion, ForceId, ForceKind, Mechanism, Owner};
 use crate::model::{Axes, Quantity};
 use crate::solve::{Loaded, Reaction, rotation};
-use crate::vector::rotation_angles;
+use crate::vector::{dot, rotation_angles};
 
 /// One number that a force element or a joint has at every state.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +35,9 @@ enum Source {
     Driver { equation: usize },
     /// λ of a force element times a factor.
     Force { value: usize, factor: f64 },
+    /// A component of the moment of a bushing on its body *j*, along an axis fixed in body *i* that
+    /// stands among the parameters.
+    BushingMoment { force: ForceId, body: BodyId, slot: usize },
     /// A component of the force of a joint on its body *j*.
     JointForce { joint: usize, axis: usize },
     /// A component of the moment of a joint on its body *j*.
@@ -55,6 +60,11 @@ impl Channel {
                 factor * elements.values()[value] + reference.map_or(0.0, |slot| loaded.h[slot])
             }
             Source::Force { value, factor } => factor * elements.responses()[value].force,
+            Source::BushingMoment { force, body, slot } => {
+                let axis = [loaded.h[slot], loaded.h[slot + 1], loaded.h[slot + 2]];
+                let axis = rotation(loaded.state, body).map(|row| dot(row, axis));
+                dot(axis, loaded.force(force).moment)
+            }
             Source::BodyPosition { body, axis } => {
                 let q = &loaded.state[body.index()];
                 axes.from_iso([q[0], q[1], q[2]])[axis]
@@ -118,7 +128,7 @@ pub fn element_channels(mechanism: &Mechanism, expansion: &Expansion) -> Vec<Cha
             ForceKind::Bushing(_) => {
                 let turns = element.instance.kind != RelationKind::BushingTranslation;
                 for (axis, letter) in XYZ.into_iter().enumerate() {
-                    let (before, length, force) = if turns {
+                    let (before, length, quantity) = if turns {
                         ("r", Quantity::Angle, Quantity::Torque)
                     } else {
                         ("", Quantity::Length, Quantity::Force)
@@ -131,14 +141,24 @@ pub fn element_channels(mechanism: &Mechanism, expansion: &Expansion) -> Vec<Cha
                         "+ of body j from body i",
                         value(first + axis, 1.0, None),
                     );
-                    let (before, what) =
-                        if turns { ("m", "moment about") } else { ("f", "force along") };
+                    // λ of rotations works on the angles, so it is not the moment about the axes
+                    // where those are large. The axes are the first parameters.
+                    let slot = element.instance.parameters.start + 3 * axis;
+                    let (before, what, source) = if turns {
+                        (
+                            "m",
+                            "moment about",
+                            Source::BushingMoment { force: id, body: force.i, slot },
+                        )
+                    } else {
+                        ("f", "force along", law(first + axis, -1.0))
+                    };
                     add(
                         &format!("{before}{letter}"),
                         &format!("{what} {letter} of its axes"),
-                        force,
+                        quantity,
                         "+ on body j",
-                        law(first + axis, -1.0),
+                        source,
                     );
                 }
             }
@@ -236,4 +256,17 @@ pub fn joint_channels(mechanism: &Mechanism) -> Vec<Channel> {
         }
     }
     channels
+}
+
+/// Gives channels that would have the name of another one a number, so that columns have one meaning.
+pub fn distinct<'a>(channels: impl Iterator<Item = &'a mut Channel>) {
+    let mut taken = HashSet::new();
+    for channel in channels {
+        let name = channel.name.clone();
+        let mut number = 1;
+        while !taken.insert(channel.name.clone()) {
+            number += 1;
+            channel.name = format!("{name}_{number}");
+        }
+    }
 }

@@ -2,20 +2,19 @@
 
 use thiserror::Error;
 
-use super::channel::{Channel, element_channels};
+use super::channel::{Channel, distinct, driver_channels, element_channels};
 use super::load::{Load, LoadPoint, WheelLoads};
-use super::pose::{Axle, Pose, Wheel, WheelLoad};
+use super::pose::Pose;
 use super::stand::Stand;
+use super::station::Station;
 use super::sweep::{Specimen, SweepPlan};
-use crate::mechanism::{BodyId, Force, MechanismError, PointId};
-use crate::model::{Axes, Model, Setup, Side, Suspension, SuspensionError, WheelSupport};
+use crate::mechanism::{Force, MechanismError};
+use crate::model::{Axes, Model, Setup, Suspension, SuspensionError, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{
     FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop, SystemError,
-    point_position, rotation,
 };
-use crate::vector::dot;
 
 /// Why a corner cannot be put on the rig.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -37,13 +36,12 @@ pub enum RigError {
 /// model has forces, every state is one of static equilibrium.
 pub struct Corner {
     suspension: Suspension,
-    setup: Setup,
+    station: Station,
     stand: Stand,
     loads: Option<WheelLoads>,
     load: Load,
     own_forces: usize,
     elements: Vec<Channel>,
-    side: Side,
     axes: Axes,
 }
 
@@ -75,13 +73,26 @@ impl Corner {
             WheelSupport::Free => vec![suspension.travel],
         };
         let stand = Stand::new(suspension.mechanism.clone(), &released, model.axes)?;
-        // What the rig puts on the wheel is an input, not a result.
-        let elements = element_channels(stand.mechanism(), stand.system().expansion())
-            .into_iter()
-            .filter(|channel| channel.force().is_some_and(|force| force.index() < own_forces));
-        let (side, axes) = (model.side, model.axes);
-        let (elements, load) = (elements.collect(), Load::default());
-        Ok(Self { suspension, setup: *setup, stand, loads, load, own_forces, elements, side, axes })
+        let mut elements = vec![];
+        if loads.is_some() {
+            let (mechanism, expansion) = (stand.mechanism(), stand.system().expansion());
+            // The force of the travel driver is the wheel load, which is a factor.
+            elements.extend(driver_channels(mechanism, expansion, &[suspension.travel]));
+            // What the rig puts on the wheel is an input, not a result.
+            let own = |channel: &Channel| channel.force().is_some_and(|f| f.index() < own_forces);
+            elements.extend(element_channels(mechanism, expansion).into_iter().filter(own));
+            distinct(elements.iter_mut());
+        }
+        Ok(Self {
+            station: Station::of_corner(&suspension, model, setup),
+            load: Load::default(),
+            axes: model.axes,
+            suspension,
+            stand,
+            loads,
+            elements,
+            own_forces,
+        })
     }
 
     /// Degrees of freedom, redundant equations and free motions.
@@ -89,18 +100,13 @@ impl Corner {
         self.stand.freedom()
     }
 
-    /// The free motions that move the wheel or its steer axis; with one of them their position
+    /// The free motions that move the wheel, its steer axis or its spring; with one of them their position
     /// is not determined by travel and rack. Where the model has forces they hold what joints
     /// leave free, or there is no equilibrium.
     pub fn free_wheel_motions(&self) -> impl Iterator<Item = &FreeMotion> {
-        let Suspension { wheel, steer_axis, .. } = &self.suspension;
-        let steer_axis = steer_axis.iter().flat_map(|axis| [axis.lower.1, axis.upper.1]);
-        let bodies: Vec<BodyId> = steer_axis.chain([wheel.body]).collect();
         let kinematic = self.loads.is_none();
         let motions = self.freedom().free_motions.iter();
-        motions.filter(move |motion| {
-            kinematic && motion.bodies.iter().any(|body| bodies.contains(body))
-        })
+        motions.filter(move |motion| kinematic && self.station.is_moved(motion))
     }
 
     /// The suspension.
@@ -164,81 +170,30 @@ impl Corner {
         self.stand.reset();
     }
 
-    /// The channels of force elements; none where the model has no forces.
+    /// The channels of the rack and of force elements; none where the model has no forces.
     pub fn element_channels(&self) -> &[Channel] {
         &self.elements
     }
 
-    /// Where wheel and steer axis are, and what the wheel carries.
+    /// Where wheel, steer axis and spring are, how they move, and what the wheel carries.
     pub fn pose(&mut self) -> Pose<f64> {
-        let load = self.wheel_load();
-        Pose { load, ..self.pose_at(self.stand.state()) }
+        self.station.pose(&mut self.stand, &self.suspension.mechanism)
     }
 
-    /// Where wheel and steer axis are at a state of the mechanism, with drivers that are held where
-    /// they are. What the wheel carries is not known there.
+    /// Where wheel, steer axis and spring are at a state of the mechanism, with drivers that are held
+    /// where they are. How they move and what the wheel carries is not known there.
     ///
     /// # Panics
     /// If the state belongs to another mechanism.
     pub fn pose_at(&self, state: &[Coordinates<f64>]) -> Pose<f64> {
-        let wheel = &self.suspension.wheel;
-        let mechanism = self.stand.mechanism();
-        let turned = rotation(state, wheel.body);
-        let point =
-            |(point, body): (PointId, BodyId)| point_position(mechanism, state, body, point);
-        let center = point((wheel.center, wheel.body));
-        let driven = |driver| self.stand.driver_value(driver);
-        let travel = match self.setup.support {
-            WheelSupport::Held => driven(self.suspension.travel),
-            WheelSupport::Free => {
-                let design = mechanism.points()[wheel.center.index()].position;
-                let chassis = self.suspension.chassis.index();
-                let sunk = state[chassis][2] - mechanism.bodies()[chassis].origin[2];
-                center[2] - design[2] - sunk
-            }
-        };
-        Pose {
-            travel,
-            rack: self.suspension.rack.map_or(0.0, driven),
-            wheel: Wheel {
-                center,
-                spin: turned.map(|row| dot(row, wheel.spin_axis)),
-                radius: wheel.radius,
-            },
-            rotation: turned,
-            steer_axis: self
-                .suspension
-                .steer_axis
-                .map(|axis| Axle { lower: point(axis.lower), upper: point(axis.upper) }),
-            load: None,
-            side: self.side,
-            axes: self.axes,
-        }
-    }
-
-    /// The vertical force on the wheel and how it grows with the travel.
-    fn wheel_load(&mut self) -> Option<WheelLoad<f64>> {
-        if !self.stand.is_loaded() || !self.stand.is_in_equilibrium() {
-            return None;
-        }
-        let travel = self.suspension.travel;
-        match self.setup.support {
-            WheelSupport::Held => {
-                let force = -self.stand.equilibrium().driver_multiplier(travel);
-                Some(WheelLoad { force, rate: self.stand.driver_rate(travel) })
-            }
-            WheelSupport::Free => {
-                let force = self.stand.equilibrium().loaded().force(self.suspension.tyre?);
-                Some(WheelLoad { force: force.force[2], rate: None })
-            }
-        }
+        self.station.pose_at(&self.stand, state)
     }
 }
 
 impl Specimen for Corner {
     fn go_to(&mut self, plan: &SweepPlan, value: f64) -> Result<StepReport, Stop> {
         let target = plan.target(value);
-        let side = self.side.index();
+        let side = self.station.side.index();
         self.set_load(&target.load[side]);
         self.move_to(target.travel[side], target.rack)
     }

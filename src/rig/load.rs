@@ -59,7 +59,7 @@ impl WheelLoads {
                 let spin = wheel.spin_axis;
                 let down = unit(sub(scale(spin[2], spin), [0.0, 0.0, 1.0]));
                 let patch = add(center, scale(wheel.radius, down));
-                mechanism.add_point(&format!("{prefix}contact_patch_at_design"), patch)?
+                mechanism.add_point(&format!("{prefix}contact patch at design"), patch)?
             }
         };
         let mut forces = vec![];
@@ -72,7 +72,8 @@ impl WheelLoads {
             } else {
                 ForceKind::Moment { frame, direction, size }
             };
-            let name = format!("{prefix}load_{name}");
+            // Names of files are one word, so no force of a model has this name.
+            let name = format!("{prefix}rig load {name}");
             forces.push(mechanism.add_force(&name, BodyId::GROUND, wheel.body, kind)?);
         }
         let forces = forces.try_into().expect("there are six components");

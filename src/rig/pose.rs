@@ -1,45 +1,9 @@
-//! Where a wheel and its steer axis are.
+//! Where a wheel, its steer axis and its spring are, and how they move.
 
-use crate::model::{Axes, Side};
+use super::line::{Line, Wheel};
+use crate::model::{Axes, Side, Vehicle};
 use crate::scalar::Scalar;
-use crate::vector::{Vector, add, dot, scale, sub, unit};
-
-/// A straight line through two points, such as a steer axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Axle<S> {
-    /// The lower point (m).
-    pub lower: Vector<S>,
-    /// The upper point (m).
-    pub upper: Vector<S>,
-}
-
-impl<S: Scalar> Axle<S> {
-    /// The unit vector from the lower to the upper point.
-    pub fn direction(&self) -> Vector<S> {
-        unit(sub(self.upper, self.lower))
-    }
-}
-
-/// A wheel: a disc normal to its spin axis, in ISO 8855 axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wheel<S> {
-    /// Wheel centre W (m).
-    pub center: Vector<S>,
-    /// Unit spin axis s, pointing outboard.
-    pub spin: Vector<S>,
-    /// Rolling radius R (m).
-    pub radius: S,
-}
-
-impl<S: Scalar> Wheel<S> {
-    /// The contact patch P (m): the lowest point of the disc,
-    /// P = W + R d/|d|, d = −e_z + s (s·e_z).
-    pub fn contact_patch(&self) -> Vector<S> {
-        let vertical = [S::from_f64(0.0), S::from_f64(0.0), S::from_f64(1.0)];
-        let down = sub(scale(dot(self.spin, vertical), self.spin), vertical);
-        add(self.center, scale(self.radius, unit(down)))
-    }
-}
+use crate::solve::Twist;
 
 /// The vertical load of a wheel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +14,37 @@ pub struct WheelLoad<S> {
     pub rate: Option<S>,
 }
 
-/// One state of a corner, in ISO 8855 axes (x forward, y left, z up), the chassis fixed or on its slide.
+/// How the parts of a corner move per unit (m) of a driver, relative to the chassis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion<S> {
+    /// The body of the wheel.
+    pub wheel: Twist<S>,
+    /// The velocities of the two points of the steer axis.
+    pub steer_axis: Option<Line<S>>,
+    /// The velocities of the two ends of the spring.
+    pub spring: Option<Line<S>>,
+}
+
+/// The motions of a corner whose wheel is held at its height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motions<S> {
+    /// Per metre of the height that is driven, the rack held.
+    pub travel: Motion<S>,
+    /// Per metre of the rack, the height held; `None` where the suspension does not steer.
+    pub rack: Option<Motion<S>>,
+}
+
+/// What a state is compared with: the design position, carried along with the chassis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Design<S> {
+    /// The wheel.
+    pub wheel: Wheel<S>,
+    /// The spring.
+    pub spring: Option<Line<S>>,
+}
+
+/// One state of a corner, in ISO 8855 axes (x forward, y left, z up), the chassis fixed or on its
+/// slide: all that factors are made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<S> {
     /// Change of the height of the wheel (m), positive in jounce.
@@ -63,11 +57,27 @@ pub struct Pose<S> {
     /// The rotation of the wheel's body from its design position.
     pub rotation: [[S; 3]; 3],
     /// The steer axis through two joints, where the architecture has one.
-    pub steer_axis: Option<Axle<S>>,
+    pub steer_axis: Option<Line<S>>,
+    /// The spring, where the model has one.
+    pub spring: Option<Line<S>>,
+    /// The design position.
+    pub design: Design<S>,
+    /// How the corner moves: as the joints allow where they determine the position, else along
+    /// states of equilibrium. `None` where the wheel is free, and in a dead centre.
+    pub motions: Option<Motions<S>>,
     /// The vertical load of the wheel, where the model has forces.
     pub load: Option<WheelLoad<S>>,
+    /// The vehicle.
+    pub vehicle: Vehicle,
     /// The side of the vehicle.
     pub side: Side,
     /// The axes of the model, in which coordinates are shown.
     pub axes: Axes,
+}
+
+impl<S: Scalar> Pose<S> {
+    /// σ: +1 for a left wheel, −1 for a right one, the sign of y outboard.
+    pub fn sigma(&self) -> S {
+        S::from_f64(self.side.sign())
+    }
 }

@@ -1,6 +1,8 @@
 //! A mechanism on the rig: moved by its drivers, loaded by its forces.
 
-use super::channel::{Channel, body_channels, driver_channels, element_channels, joint_channels};
+use super::channel::{
+    Channel, body_channels, distinct, driver_channels, element_channels, joint_channels,
+};
 use super::corner::RigError;
 use super::pose::Pose;
 use super::sweep::{Event, Specimen, SweepPlan};
@@ -9,7 +11,7 @@ use crate::model::Axes;
 use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{
-    FreedomReport, StaticFailure, StaticReport, StepReport, Stop, System, Tolerances,
+    FreedomReport, StaticFailure, StaticReport, StepReport, Stop, System, Tangent, Tolerances,
 };
 
 /// A mechanism with its state.
@@ -43,6 +45,9 @@ impl Stand {
         let bodies = body_channels(system.mechanism());
         let drivers = driver_channels(system.mechanism(), expansion, released);
         let elements = element_channels(system.mechanism(), expansion);
+        let mut elements = [bodies, drivers, elements].concat();
+        let mut joints = joint_channels(system.mechanism());
+        distinct(elements.iter_mut().chain(&mut joints));
         Ok(Self {
             equilibrium: Equilibrium::released(&system, released),
             released: released.to_vec(),
@@ -50,8 +55,8 @@ impl Stand {
             rigid: released.is_empty() && system.freedom().free_motions.is_empty(),
             found: false,
             axes,
-            elements: [bodies, drivers, elements].concat(),
-            joints: joint_channels(system.mechanism()),
+            elements,
+            joints,
             system,
         })
     }
@@ -110,15 +115,31 @@ impl Stand {
         Some(-tangent.multiplier(equation))
     }
 
+    /// How all bodies move per unit (m or rad) of a driver, the other drivers held: as the joints
+    /// allow where they determine the position, else along states of equilibrium.
+    /// `None` for a driver that is released, in a dead centre, and where equilibrium is sought but
+    /// not found or not isolated.
+    pub fn tangent(&mut self, driver: DriverId) -> Option<Tangent<'_>> {
+        if self.released.contains(&driver) {
+            return None;
+        }
+        if self.rigid || !self.loaded {
+            return self.system.tangent(driver).ok();
+        }
+        if !self.found {
+            return None;
+        }
+        self.equilibrium.driver_tangent(driver).ok().map(|tangent| tangent.motion)
+    }
+
     /// The channels of bodies alone: positions and rotations.
     pub fn body_channels(&self) -> &[Channel] {
         &self.elements[..6 * (self.mechanism().bodies().len() - 1)]
     }
 
-    /// The channels of force elements alone.
+    /// The channels of drivers and force elements: all but those of bodies.
     pub fn force_channels(&self) -> &[Channel] {
-        let first = self.elements.iter().position(|channel| channel.force().is_some());
-        &self.elements[first.unwrap_or(self.elements.len())..]
+        &self.elements[self.body_channels().len()..]
     }
 
     /// Moves drivers to values (m or rad, from the design position).

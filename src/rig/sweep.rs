@@ -19,8 +19,8 @@ pub enum Event {
     Single(Side),
     /// The rack moves, the height of the wheel is held.
     Steer,
-    /// One component of the load on the wheel grows, by its position in [`LOAD_COMPONENTS`]. Both
-    /// wheels of an axle carry the same.
+    /// One component of the load on the wheel grows, by its position in
+    /// [`LOAD_COMPONENTS`](super::LOAD_COMPONENTS). Both wheels of an axle carry the same.
     Load(usize),
     /// One component of the load grows on the left wheel, and as much against it on the right one.
     LoadOpposed(usize),

@@ -62,8 +62,7 @@ impl Equilibrium {
         points: &[(BodyId, PointId)],
     ) -> Result<Vec<f64>, ComplianceError> {
         let mut free = self.let_go(let_go);
-        let problem = &mut free.problem;
-        problem.kkt.fill(&problem.state, &problem.h, &problem.lambda, &mut problem.phi);
+        free.problem.measure();
         if let Some(Softest { stiffness, motion, holds: false }) = softest(&free) {
             return Err(if stiffness < 0.0 {
                 ComplianceError::Unstable { motion, stiffness }

@@ -4,7 +4,9 @@ use super::convergence::{Outcome, Tolerances};
 use super::linear::{LinearSolver, Singular, largest, solver};
 use super::newton::{Equations, newton};
 use super::position::{Scales, move_bodies};
+use super::rank::undetermined;
 use super::system::System;
+use super::tangent::Tangent;
 use crate::assembly::{Elements, Inertias, Kkt, Numbering, Terms};
 use crate::mechanism::{DriverId, Expansion, Mechanism, Owner};
 use crate::relation::Coordinates;
@@ -29,6 +31,7 @@ pub struct Equilibrium {
     pub(super) step: Vec<f64>,
     pub(super) released: Vec<DriverId>,
     pub(super) driver_values: Vec<f64>,
+    undetermined: Vec<usize>,
     design: Vec<f64>,
     dh: Vec<f64>,
     tangent: Vec<f64>,
@@ -79,7 +82,10 @@ impl Equilibrium {
         let equations = position.sizes().len();
         let unknowns = kkt.unknowns();
         let drivers = system.mechanism().driver_ids();
+        let kept = (position.kept(), position.scales);
+        let (state, h) = (&position.state, &position.h);
         Self {
+            undetermined: undetermined(expansion, system.terms(), state, h, kept),
             linear: solver(kkt.pattern()),
             step: vec![0.0; kkt.pattern().rows()],
             tangent: vec![0.0; kkt.pattern().rows()],
@@ -133,6 +139,7 @@ impl Equilibrium {
             step: vec![0.0; rows],
             tangent: vec![0.0; rows],
             dh: self.dh.clone(),
+            undetermined: self.undetermined.clone(),
             phi_change: self.phi_change.clone(),
             force_change: self.force_change.clone(),
             released: [&self.released, drivers].concat(),
@@ -195,6 +202,11 @@ impl Equilibrium {
         self.problem.numbering.row(equation).is_some()
     }
 
+    /// Whether the multiplier of an equation is determined: no redundant equation could share it.
+    pub fn is_determined(&self, equation: usize) -> bool {
+        !self.undetermined.contains(&equation)
+    }
+
     /// The multiplier of a driver: the force (N) or moment (N·m) −λ that it takes to hold it.
     pub fn driver_multiplier(&self, driver: DriverId) -> f64 {
         self.problem.lambda[self.equation_of(driver)]
@@ -253,7 +265,8 @@ impl Equilibrium {
         }
         self.linear.solve(&mut self.tangent)?;
         let (coordinates, multipliers) = self.tangent.split_at(problem.kkt.unknowns());
-        Ok(DriverTangent { coordinates, multipliers, numbering: &problem.numbering })
+        let motion = Tangent::new(&problem.state, coordinates);
+        Ok(DriverTangent { motion, multipliers, numbering: &problem.numbering })
     }
 
     /// The equation of a driver, for [`DriverTangent::multiplier`].
@@ -268,8 +281,8 @@ impl Equilibrium {
 
 /// The derivative of an equilibrium by the value of a driver.
 pub struct DriverTangent<'a> {
-    /// Of the coordinates, seven for each moving body.
-    pub coordinates: &'a [f64],
+    /// Of the coordinates.
+    pub motion: Tangent<'a>,
     multipliers: &'a [f64],
     numbering: &'a Numbering,
 }

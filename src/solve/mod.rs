@@ -15,6 +15,7 @@
 //! | `compliance` | how points give way to loads |
 //! | `dynamics` | motion in time |
 //! | `wrench` | reactions of joints and forces of elements |
+//! | `motion`, `tangent` | how bodies move; per unit of a driver |
 //! | `position` | Φ = 0 alone |
 //! | `travel` | continuation along driver values |
 //! | `freedom` | redundant equations and free motions, in words |
@@ -36,13 +37,15 @@ mod stability;
 mod statics;
 mod stop;
 mod system;
+mod tangent;
 mod travel;
 mod wrench;
 
 pub use convergence::Tolerances;
 pub use freedom::{FreeMotion, FreedomReport, RedundantEquation};
-pub use motion::{point_position, rotation};
+pub use motion::{Twist, point_position, rotation};
 pub use statics::{StaticFailure, StaticReport};
 pub use stop::{Stop, StopReason};
 pub use system::{StepReport, System, SystemError};
+pub use tangent::Tangent;
 pub use wrench::{Loaded, Reaction, Wrench};

@@ -5,31 +5,37 @@ use faer::MatRef;
 use super::position::Scales;
 use crate::mechanism::{BodyId, Direction, Mechanism, PointId};
 use crate::relation::{BODY_COORDINATES, Coordinates};
+use crate::scalar::Scalar;
 use crate::vector::{Vector, add, cross, dot, norm, rotate, scale, sub, unit};
 
-/// Velocity of the point of a body that is at the origin (m/s), and angular velocity (rad/s).
+/// How a body moves: the velocity of its point that is at the origin (m/s), and its angular
+/// velocity (rad/s). Per unit of a driver, seconds stand for that unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Twist {
-    pub velocity: Vector<f64>,
-    pub rotation: Vector<f64>,
+pub struct Twist<S = f64> {
+    /// Velocity of the point of the body that is at the origin.
+    pub velocity: Vector<S>,
+    /// Angular velocity.
+    pub rotation: Vector<S>,
 }
 
-impl Twist {
-    /// The twist of one body from the rates of its coordinates, ω = 2 E ṗ.
-    pub fn new(q: &Coordinates<f64>, rate: &[f64]) -> Self {
+impl<S: Scalar> Twist<S> {
+    /// The twist of one body from the rates of its coordinates, ω = 2 E ṗ (Haug, 9.3).
+    pub fn new(q: &Coordinates<S>, rate: &[S]) -> Self {
         let (e0, e) = (q[3], [q[4], q[5], q[6]]);
         let (e0_rate, e_rate) = (rate[3], [rate[4], rate[5], rate[6]]);
         let half = add(sub(scale(e0, e_rate), scale(e0_rate, e)), cross(e, e_rate));
-        let rotation = scale(2.0, half);
+        let rotation = scale(S::from_f64(2.0), half);
         let velocity = sub([rate[0], rate[1], rate[2]], cross(rotation, [q[0], q[1], q[2]]));
         Self { velocity, rotation }
     }
 
     /// Velocity of the point of the body that is at `position`.
-    pub fn at(&self, position: Vector<f64>) -> Vector<f64> {
+    pub fn at(&self, position: Vector<S>) -> Vector<S> {
         add(self.velocity, cross(self.rotation, position))
     }
 
+    /// The motion relative to another one.
+    #[must_use]
     pub fn minus(&self, other: &Self) -> Self {
         Self {
             velocity: sub(self.velocity, other.velocity),
@@ -37,8 +43,16 @@ impl Twist {
         }
     }
 
+    /// The same motion, so many times as fast.
+    #[must_use]
+    pub fn times(&self, factor: S) -> Self {
+        Self { velocity: scale(factor, self.velocity), rotation: scale(factor, self.rotation) }
+    }
+}
+
+impl Twist {
     /// The largest component, velocities divided by `length`.
-    pub fn size(&self, length: f64) -> f64 {
+    pub(super) fn size(&self, length: f64) -> f64 {
         let velocity = self.velocity.iter().map(|v| v.abs() / length);
         velocity.chain(self.rotation.iter().map(|w| w.abs())).fold(0.0, f64::max)
     }

@@ -117,6 +117,28 @@ pub(super) fn holders(jacobian: MatRef<'_, f64>, kept: &[usize], dependent: usiz
     (0..kept.len()).filter(|&k| weights[(k, 0)].abs() > 1e-6).map(|k| kept[k]).collect()
 }
 
+/// The equations whose multipliers are not determined at a state: those that are left out as
+/// redundant, and those that hold the same with them.
+pub(super) fn undetermined(
+    expansion: &Expansion,
+    terms: &Terms,
+    state: &[Coordinates<f64>],
+    h: &[f64],
+    (kept, scales): (&[usize], Scales),
+) -> Vec<usize> {
+    let left_out = |equation: &usize| !kept.contains(equation);
+    let mut found: Vec<usize> = (0..expansion.equation_count()).filter(left_out).collect();
+    if !found.is_empty() {
+        let (jacobian, _) = scaled_jacobian(expansion, terms, state, h, scales);
+        let holders = |&equation: &usize| holders(jacobian.as_ref(), kept, equation);
+        found = found
+            .iter()
+            .flat_map(|equation| [vec![*equation], holders(equation)].concat())
+            .collect();
+    }
+    found
+}
+
 /// An orthonormal basis of the motions (columns, scaled) that the kept equations allow.
 pub(super) fn null_space(jacobian: MatRef<'_, f64>, kept: &[usize]) -> Option<Mat<f64>> {
     let unknowns = jacobian.ncols();

@@ -48,9 +48,12 @@ pub(super) fn softest(equilibrium: &Equilibrium) -> Option<Softest> {
     let symmetric = Mat::from_fn(reduced.nrows(), reduced.ncols(), |i, j| {
         0.5 * (reduced[(i, j)] + reduced[(j, i)])
     });
+    // Where nothing but rounding is left of the stiffness, the forces say how much that is.
     let largest = (0..symmetric.ncols())
         .flat_map(|j| (0..symmetric.nrows()).map(move |i| (i, j)))
-        .fold(0.0, |largest: f64, (i, j)| largest.max(symmetric[(i, j)].abs()));
+        .fold(problem.force_size * scales.length, |largest: f64, (i, j)| {
+            largest.max(symmetric[(i, j)].abs())
+        });
     let eigen = symmetric.self_adjoint_eigen(Side::Lower).ok()?;
     let smallest = eigen.S().column_vector()[0];
     let direction = &basis * eigen.U().col(0);

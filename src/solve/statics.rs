@@ -100,9 +100,15 @@ pub enum StaticFailure {
         /// What may be wrong.
         hint: String,
     },
+    /// Drivers that cannot go on.
+    #[error("no equilibrium was found on the rest of the way; {hint}")]
+    Stuck {
+        /// What may be wrong.
+        hint: String,
+    },
     /// A tyre that carries nothing.
     #[error(
-        "tyre {tyre} is in the air, {gap_mm:.3} mm above the ground: lower the wheel, raise the ground, \
+        "the tyre `{tyre}` is in the air, {gap_mm:.3} mm above the ground: lower the wheel, raise the ground, \
          or hold the wheel with a driver"
     )]
     Airborne {
@@ -145,7 +151,9 @@ impl Equilibrium {
         let reached = self.step_loads(&mut report);
         self.problem.held = 0.0;
         if reached < 1.0 && !self.relax(&start, &mut report) {
-            return Err(self.no_equilibrium(reached));
+            return Err(
+                self.no_equilibrium(reached, "the loads may be more than the mechanism can hold")
+            );
         }
         self.judge(&mut report)?;
         Ok(report)
@@ -159,27 +167,13 @@ impl Equilibrium {
     pub fn move_to(&mut self, targets: &[(DriverId, f64)]) -> Result<StaticReport, StaticFailure> {
         let mut report = StaticReport::default();
         let from: Vec<f64> = targets.iter().map(|&(driver, _)| self.driver_value(driver)).collect();
-        let (state, lambda) = (self.problem.state.clone(), self.problem.lambda.clone());
-        let mut saved = (state, lambda);
-        let (mut t, mut dt): (f64, f64) = (0.0, 1.0);
-        while t < 1.0 {
-            let next = if t + dt >= 1.0 - SHORTEST { 1.0 } else { t + dt };
-            self.set_drivers(targets, &from, next);
-            let outcome = self.newton_within_step(&mut report);
-            if outcome.converged() {
-                saved.0.copy_from_slice(&self.problem.state);
-                saved.1.copy_from_slice(&self.problem.lambda);
-                self.elements_mut().accept();
-                report.load_steps += 1;
-                (t, dt) = (next, 2.0 * dt);
-                continue;
-            }
-            self.restore(&saved);
-            self.set_drivers(targets, &from, t);
-            dt = 0.5 * (next - t);
-            if dt < SHORTEST {
-                return Err(self.no_equilibrium(t));
-            }
+        let reached = self.follow(&mut report, |it, t| it.set_drivers(targets, &from, t));
+        if reached < 1.0 {
+            let hint = "the joints may be at the end of their travel";
+            return Err(match self.no_equilibrium(reached, hint) {
+                StaticFailure::NoConvergence { hint, .. } => StaticFailure::Stuck { hint },
+                failure => failure,
+            });
         }
         self.judge(&mut report)?;
         Ok(report)
@@ -196,11 +190,17 @@ impl Equilibrium {
     fn step_loads(&mut self, report: &mut StaticReport) -> f64 {
         self.problem.measure();
         self.problem.hold_residual();
+        self.follow(report, |it, t| it.problem.held = 1.0 - t)
+    }
+
+    /// Follows the equilibrium while `set` goes from 0 to 1, in steps as large as Newton's method
+    /// takes them; returns where it got to. State and setting are then those that were reached.
+    fn follow(&mut self, report: &mut StaticReport, set: impl Fn(&mut Self, f64)) -> f64 {
         let mut saved = (self.problem.state.clone(), self.problem.lambda.clone());
         let (mut t, mut dt): (f64, f64) = (0.0, 1.0);
         while t < 1.0 {
             let next = if t + dt >= 1.0 - SHORTEST { 1.0 } else { t + dt };
-            self.problem.held = 1.0 - next;
+            set(self, next);
             if self.newton_within_step(report).converged() {
                 saved.0.copy_from_slice(&self.problem.state);
                 saved.1.copy_from_slice(&self.problem.lambda);
@@ -210,6 +210,7 @@ impl Equilibrium {
                 continue;
             }
             self.restore(&saved);
+            set(self, t);
             dt = 0.5 * (next - t);
             if dt < SHORTEST {
                 break;
@@ -310,11 +311,8 @@ impl Equilibrium {
         problem.kkt.elements_mut().accept();
         let problem = &self.problem;
         for (equation, (phi, size)) in problem.phi.iter().zip(&problem.sizes).enumerate() {
-            let owner = self.expansion.owner(equation);
-            let released =
-                matches!(owner, Owner::Driver(driver) if self.released.contains(&driver));
             let relative = (phi / size).abs();
-            if !released && (relative.is_nan() || relative > CONSISTENT) {
+            if !self.is_released(equation) && (relative.is_nan() || relative > CONSISTENT) {
                 let equation = self.expansion.label(equation).to_owned();
                 return Err(StaticFailure::Inconsistent { equation, residual: *phi });
             }
@@ -364,7 +362,7 @@ impl Equilibrium {
     }
 
     /// Says why there is no equilibrium, from the state where the search ended.
-    fn no_equilibrium(&mut self, reached: f64) -> StaticFailure {
+    fn no_equilibrium(&mut self, reached: f64, hint: &str) -> StaticFailure {
         if let Err(failure) = self.check_values() {
             return failure;
         }
@@ -372,8 +370,11 @@ impl Equilibrium {
         problem.held = 0.0;
         problem.damping = 0.0;
         let relative_residual = problem.linearise();
-        let mut hint = "the loads may be more than the mechanism can hold".to_owned();
-        if let Some(Softest { stiffness, motion, holds: false }) = softest(self) {
+        let mut hint = hint.to_owned();
+        if let Err(StaticFailure::Airborne { tyre, .. }) = self.check_tyres() {
+            // What else is wrong there follows from it.
+            hint = format!("the tyre `{tyre}` has left the ground; check loads and ground");
+        } else if let Some(Softest { stiffness, motion, holds: false }) = softest(self) {
             if stiffness >= 0.0 {
                 return StaticFailure::FreeMotion { motion };
             }

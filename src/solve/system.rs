@@ -3,10 +3,12 @@
 use thiserror::Error;
 
 use super::freedom::{self, BlockedDriver, FreedomReport};
+use super::linear::Singular;
 use super::motion;
 use super::position::{Position, Scales};
 use super::rank::{scaled_jacobian, select};
 use super::stop::{Stop, StopReason};
+use super::tangent::Tangent;
 use super::travel::{Failure, Travel};
 use crate::assembly::{Numbering, Terms, design_state};
 use crate::mechanism::{BodyId, DriverId, Expansion, Mechanism, Owner, PointId};
@@ -189,6 +191,19 @@ impl System {
             self.targets.copy_from_slice(self.travel.values());
             stop
         })
+    }
+
+    /// How all bodies move per unit (m or rad) of a driver at the current state, the other drivers
+    /// held: −Φ_q⁻¹ Φ_h. Forces play no part; free motions stay as still as they can.
+    ///
+    /// # Errors
+    /// [`Singular`] where the mechanism is in a dead centre.
+    ///
+    /// # Panics
+    /// If the driver belongs to another mechanism.
+    pub fn tangent(&mut self, driver: DriverId) -> Result<Tangent<'_>, Singular> {
+        let rates = self.travel.driver_tangent(&mut self.position, driver.index())?;
+        Ok(Tangent::new(&self.position.state, rates))
     }
 
     /// Returns to the design position with all drivers at zero.

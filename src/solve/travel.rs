@@ -49,6 +49,17 @@ pub(super) enum Failure {
     Inconsistent { equation: usize, value: f64 },
 }
 
+/// Where the factorisation that the linear solver holds belongs.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Factorised {
+    /// Nowhere near the current state.
+    Elsewhere,
+    /// At the last iterate before the current state, a tiny step away.
+    Near,
+    /// At the current state.
+    Here,
+}
+
 /// The state of a continuation and its scratch space.
 pub(super) struct Travel {
     linear: Box<dyn LinearSolver>,
@@ -60,8 +71,7 @@ pub(super) struct Travel {
     tangent: Vec<f64>,
     next_tangent: Vec<f64>,
     step: Vec<f64>,
-    // Whether `linear` holds the factorisation at the current state.
-    factorised: bool,
+    factorised: Factorised,
     check_left_out: bool,
 }
 
@@ -77,7 +87,7 @@ impl Travel {
             tangent: vec![0.0; size],
             next_tangent: vec![0.0; size],
             step: vec![0.0; size],
-            factorised: false,
+            factorised: Factorised::Elsewhere,
             check_left_out,
             slots,
         }
@@ -91,13 +101,13 @@ impl Travel {
     /// Says that state and parameters are those of the design position again.
     pub fn reset(&mut self) {
         self.values.fill(0.0);
-        self.factorised = false;
+        self.factorised = Factorised::Elsewhere;
     }
 
     /// Says that `position` has another choice of independent equations.
     pub fn replan(&mut self, position: &Position) {
         self.linear = position.linear_solver();
-        self.factorised = false;
+        self.factorised = Factorised::Elsewhere;
     }
 
     /// How far the drivers still have to go, in their own units.
@@ -125,6 +135,7 @@ impl Travel {
             self.dh[slot] = to - from;
         }
         let sign = self.first_tangent(position).map_err(|Singular| Failure::Singular)?;
+        self.factorised = Factorised::Near;
 
         let (mut t, mut dt): (f64, f64) = (0.0, 1.0);
         while t < 1.0 {
@@ -143,7 +154,7 @@ impl Travel {
                     self.set_drivers(position, design, targets, t);
                     dt = 0.5 * (next - t);
                     if dt < SHORTEST {
-                        self.factorised = false;
+                        self.factorised = Factorised::Elsewhere;
                         return Err(failure);
                     }
                 }
@@ -205,13 +216,35 @@ impl Travel {
 
     /// The tangent at the current state; returns the sign of the determinant.
     fn first_tangent(&mut self, position: &mut Position) -> Result<f64, Singular> {
-        if !self.factorised {
-            position.linearise();
-            self.linear.factorise(position.matrix())?;
-            self.factorised = true;
+        if self.factorised == Factorised::Elsewhere {
+            self.factorise(position)?;
         }
         position.tangent(self.linear.as_mut(), &self.dh, &mut self.tangent)?;
         Ok(self.linear.determinant_sign())
+    }
+
+    /// The rates of all unknowns per unit of one driver at the current state. A result and not a
+    /// prediction, so the factorisation has to be that of the very state.
+    pub fn driver_tangent(
+        &mut self,
+        position: &mut Position,
+        driver: usize,
+    ) -> Result<&[f64], Singular> {
+        if self.factorised != Factorised::Here {
+            self.factorise(position)?;
+        }
+        self.dh.fill(0.0);
+        self.dh[self.slots[driver]] = 1.0;
+        position.tangent(self.linear.as_mut(), &self.dh, &mut self.next_tangent)?;
+        Ok(&self.next_tangent[..position.unknowns()])
+    }
+
+    fn factorise(&mut self, position: &mut Position) -> Result<(), Singular> {
+        self.factorised = Factorised::Elsewhere;
+        position.linearise();
+        self.linear.factorise(position.matrix())?;
+        self.factorised = Factorised::Here;
+        Ok(())
     }
 
     fn set_drivers(&mut self, position: &mut Position, design: &[f64], targets: &[f64], t: f64) {

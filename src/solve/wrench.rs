@@ -24,8 +24,8 @@ pub struct Wrench {
 pub struct Reaction {
     /// Force and moment on body *j* at the joint's point of that body.
     pub on_j: Wrench,
-    /// Whether it is determined. Where an equation of the joint is left out as redundant, another joint
-    /// carries its part.
+    /// Whether it is determined. Where an equation of the joint is redundant, or holds what a redundant
+    /// one of another joint holds, too, one of them carries the part of both.
     pub unique: bool,
 }
 
@@ -61,13 +61,14 @@ impl Equilibrium {
 
     /// The reactions of all joints, in their order.
     pub fn reactions(&self) -> Vec<Reaction> {
-        self.loaded().reactions(|equation| self.is_held(equation))
+        self.loaded().reactions(|equation| self.is_determined(equation))
     }
 }
 
 impl Loaded<'_> {
-    /// The reactions of all joints, in their order. `held` says whether an equation is not left out.
-    pub fn reactions(&self, held: impl Fn(usize) -> bool) -> Vec<Reaction> {
+    /// The reactions of all joints, in their order. `determined` says whether the
+    /// multiplier of an equation is.
+    pub fn reactions(&self, determined: impl Fn(usize) -> bool) -> Vec<Reaction> {
         let joints = self.mechanism.joints().iter().enumerate();
         joints
             .map(|(index, joint)| {
@@ -80,7 +81,7 @@ impl Loaded<'_> {
                     }
                     let lambda = &self.lambda[instance.equations.clone()];
                     reaction.on_j.add(&self.wrench(instance, lambda, at));
-                    reaction.unique &= instance.equations.clone().all(&held);
+                    reaction.unique &= instance.equations.clone().all(&determined);
                 }
                 reaction
             })

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use hardpoint::factors::FACTORS;
+use hardpoint::factors::basic;
 use hardpoint::mechanism::{BodyId, Force};
 use hardpoint::model::{Axes, Document, MechanismModel, Model, Quantity, Setup, Units};
 use hardpoint::rig::{Corner, Pose, Stand};
@@ -91,7 +91,7 @@ fn suspension(
     parts(writer, corner.stand(), corner.forces(), model.axes, held)?;
     writeln!(writer)?;
     writeln!(writer, "at the design position:")?;
-    for factor in FACTORS {
+    for factor in basic() {
         if let Some(value) = factor.show(units, pose) {
             let unit = factor.quantity.symbol(units);
             // Rounding noise of a value that is zero at design would only distract.

@@ -3,15 +3,16 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use hardpoint::model::{Chassis, Document, Model, WheelSupport};
+use hardpoint::model::{Axes, Chassis, Document, Model, WheelSupport};
 use hardpoint::report::ComplianceReport;
 use hardpoint::rig::{self, Axle, Corner, LoadPoint, RigError};
 use hardpoint::solve::Stop;
+use hardpoint::solve::compliance::ComplianceError;
 
 use crate::failure::Failure;
 use crate::load;
-use crate::loads::RigOptions;
-use crate::output::{Format, Output, SideName};
+use crate::loads::{RigOptions, length};
+use crate::output::{Format, Output, SideName, axes_of_words};
 
 /// The compliance matrix: displacements and rotations of wheels per unit force and moment, 6×6 of a
 /// corner, 12×12 of an axle.
@@ -57,18 +58,14 @@ pub struct Compliance {
 impl Compliance {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
+        // Refused before the work is done.
+        Output::beside(&self.model, self.output.as_deref())?;
         let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
         let Document::Suspension(model) = load(&self.model, self.side)? else {
             return usage("a compliance belongs to wheels; this file is a mechanism");
         };
-        let place = self.output.as_ref().and_then(|path| path.canonicalize().ok());
-        if place.is_some() && place == self.model.canonicalize().ok() {
-            return usage("-o would overwrite the model; name another file");
-        }
-        let (travel, rack) = (
-            self.metres(&model, self.travel, "--travel")?,
-            self.metres(&model, self.rack, "--rack")?,
-        );
+        let travel = length("--travel", self.travel, model.units)?;
+        let rack = length("--rack", self.rack, model.units)?;
         let steers = model.steers();
         if self.rack.is_some() && !steers {
             return usage("this suspension has no rack; leave out --rack");
@@ -84,9 +81,9 @@ impl Compliance {
             LoadPoint::ContactPatch => compliance.at_contact_patch(),
         };
         let what = if self.axle { "axle".into() } else { format!("{} side", model.side.name()) };
-        let length = model.units.length;
-        let (travel, rack) = (length.from_metres(travel), length.from_metres(rack));
-        let symbol = length.symbol();
+        let unit = model.units.length;
+        let (travel, rack) = (unit.from_metres(travel), unit.from_metres(rack));
+        let symbol = unit.symbol();
         let steered = if steers { format!(", rack {rack} {symbol}") } else { String::new() };
         let title = format!(
             "{}, {what}, {} axes, travel {travel} {symbol}{steered}",
@@ -100,7 +97,7 @@ impl Compliance {
             compliance: &compliance,
         };
         let named = self.output.as_deref().and_then(Format::of);
-        let output = self.output.clone().map_or(Output::Stdout, Output::File);
+        let output = Output::beside(&self.model, self.output.as_deref())?;
         output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
             Format::Table => report.write_table(writer),
             Format::Csv => report.write_csv(writer),
@@ -120,8 +117,8 @@ impl Compliance {
         let mut corner =
             Corner::with_loads(model, &setup, at).map_err(|error| self.cannot_stand(error))?;
         corner.set_load(&load);
-        corner.move_to(travel, rack).map_err(stopped)?;
-        corner.compliance().map_err(|error| self.fails(error))
+        corner.move_to(travel, rack).map_err(|stop| stopped(stop, model.axes))?;
+        corner.compliance().map_err(|error| self.fails(error, model.axes))
     }
 
     fn of_axle(
@@ -136,28 +133,20 @@ impl Compliance {
         let mut axle =
             Axle::with_loads(model, &setup, at).map_err(|error| self.cannot_stand(error))?;
         axle.set_load(&loads);
-        axle.move_to([travel; 2], rack).map_err(stopped)?;
-        axle.compliance().map_err(|error| self.fails(error))
-    }
-
-    fn metres(&self, model: &Model, value: Option<f64>, name: &str) -> Result<f64, Failure> {
-        match value {
-            Some(value) if !value.is_finite() => {
-                Err(Failure::Usage(format!("{name} is not a finite number")))
-            }
-            value => Ok(value.map_or(0.0, |value| model.units.length.to_metres(value))),
-        }
+        axle.move_to([travel; 2], rack).map_err(|stop| stopped(stop, model.axes))?;
+        axle.compliance().map_err(|error| self.fails(error, model.axes))
     }
 
     fn cannot_stand(&self, error: RigError) -> Failure {
         Failure::Rig(self.model.display().to_string(), Box::new(error))
     }
 
-    fn fails(&self, error: hardpoint::solve::compliance::ComplianceError) -> Failure {
-        Failure::Compliance(self.model.display().to_string(), error)
+    fn fails(&self, error: ComplianceError, axes: Axes) -> Failure {
+        Failure::Compliance(self.model.display().to_string(), error, axes)
     }
 }
 
-fn stopped(stop: Stop) -> Failure {
-    Failure::Stopped(vec![stop], "no compliance was found".into())
+fn stopped(stop: Stop, axes: Axes) -> Failure {
+    let axes = axes_of_words(axes, &stop.to_string());
+    Failure::Stopped(vec![stop], format!("no compliance was found{axes}"))
 }

@@ -12,7 +12,7 @@ use hardpoint::solve::{StaticFailure, Stop};
 use crate::failure::Failure;
 use crate::load;
 use crate::loads::RigOptions;
-use crate::output::{Format, Output, SideName};
+use crate::output::{Output, Sheet, SideName, axes_of_words};
 
 /// Find the static equilibrium: pose, reactions of all joints, state of all springs and bushings.
 ///
@@ -51,7 +51,7 @@ pub struct Equilibrium {
     side: Option<SideName>,
     /// How to write the result [default: table, or what the ending of the file names].
     #[arg(long, value_enum)]
-    format: Option<Format>,
+    format: Option<Sheet>,
     /// Write to a file instead of the terminal.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -60,6 +60,8 @@ pub struct Equilibrium {
 impl Equilibrium {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
+        // Refused before the work is done.
+        Output::beside(&self.model, self.output.as_deref())?;
         match load(&self.model, self.side)? {
             Document::Suspension(model) => self.suspension(&model),
             Document::Mechanism(model) => self.mechanism(&model),
@@ -98,9 +100,9 @@ impl Equilibrium {
         }
         corner.set_load(&load);
         if travel != 0.0 || rack != 0.0 {
-            corner.move_to(travel, rack).map_err(|stop| self.stopped(stop))?;
+            corner.move_to(travel, rack).map_err(|stop| self.stopped(stop, model.axes))?;
         }
-        let found = corner.rest().map_err(|failure| self.fails(failure))?;
+        let found = corner.rest().map_err(|failure| self.fails(failure, model.axes))?;
         let pose = corner.pose();
         let how = match (free, slides, model.has_tyre()) {
             (true, true, _) => "quarter car on its tyre".to_owned(),
@@ -135,10 +137,12 @@ impl Equilibrium {
                 "--travel and --rack belong to suspensions; this file is a mechanism".into(),
             ));
         }
+        self.rig.refuse()?;
+        refuse_fixed_chassis(self.fixed_chassis)?;
         let released = released(&self.release, model)?;
         let mut stand = Stand::new(model.mechanism.clone(), &released, Axes::Iso8855)
             .map_err(|error| self.cannot_stand(error))?;
-        let found = stand.rest().map_err(|failure| self.fails(failure))?;
+        let found = stand.rest().map_err(|failure| self.fails(failure, Axes::Iso8855))?;
         self.write(&StaticsReport {
             title: &model.name,
             axes: Axes::Iso8855,
@@ -151,27 +155,38 @@ impl Equilibrium {
     }
 
     fn write(&self, report: &StaticsReport) -> Result<(), Failure> {
-        let named = self.output.as_deref().and_then(Format::of);
-        let output = self.output.clone().map_or(Output::Stdout, Output::File);
-        match self.format.or(named).unwrap_or(Format::Table) {
-            Format::Table => output.write(|writer| report.write_text(writer)),
-            Format::Json => output.write(|writer| report.write_json(writer)),
-            Format::Csv => Err(Failure::Usage(
-                "an equilibrium is no table of one kind of rows; use --format json".into(),
-            )),
-        }
+        let named = match (self.format, self.output.as_deref()) {
+            (None, Some(path)) => Sheet::of(path)?,
+            _ => None,
+        };
+        let output = Output::beside(&self.model, self.output.as_deref())?;
+        output.write(|writer| match self.format.or(named).unwrap_or(Sheet::Table) {
+            Sheet::Table => report.write_text(writer),
+            Sheet::Json => report.write_json(writer),
+        })
     }
 
     fn cannot_stand(&self, error: RigError) -> Failure {
         Failure::Rig(self.model.display().to_string(), Box::new(error))
     }
 
-    fn stopped(&self, stop: Stop) -> Failure {
-        Failure::Stopped(vec![stop], "no equilibrium was found".into())
+    fn stopped(&self, stop: Stop, axes: Axes) -> Failure {
+        let axes = axes_of_words(axes, &stop.to_string());
+        Failure::Stopped(vec![stop], format!("no equilibrium was found{axes}"))
     }
 
-    fn fails(&self, failure: StaticFailure) -> Failure {
-        Failure::Static(self.model.display().to_string(), failure)
+    fn fails(&self, failure: StaticFailure, axes: Axes) -> Failure {
+        Failure::Static(self.model.display().to_string(), failure, axes)
+    }
+}
+
+/// A mechanism has no chassis to hold.
+pub fn refuse_fixed_chassis(fixed: bool) -> Result<(), Failure> {
+    match fixed {
+        true => Err(Failure::Usage(
+            "--fixed-chassis belongs to suspensions; this file is a mechanism".into(),
+        )),
+        false => Ok(()),
     }
 }
 

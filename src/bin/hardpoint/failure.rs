@@ -3,12 +3,14 @@
 use std::io::{self, IsTerminal as _};
 use std::process::ExitCode;
 
-use hardpoint::model::ModelDiagnostics;
+use hardpoint::model::{Axes, ModelDiagnostics};
 use hardpoint::rig::RigError;
 use hardpoint::solve::compliance::ComplianceError;
 use hardpoint::solve::dynamics::DynamicsFailure;
 use hardpoint::solve::{StaticFailure, Stop};
 use miette::GraphicalReportHandler;
+
+use crate::output::axes_of_words;
 
 /// Why a command did not end well.
 pub enum Failure {
@@ -16,12 +18,12 @@ pub enum Failure {
     Model(ModelDiagnostics),
     /// The model makes no mechanism that moves.
     Rig(String, Box<RigError>),
-    /// There is no static equilibrium.
-    Static(String, StaticFailure),
+    /// There is no static equilibrium; the axes are those of the model.
+    Static(String, StaticFailure, Axes),
     /// A wheel has no compliance.
-    Compliance(String, ComplianceError),
+    Compliance(String, ComplianceError, Axes),
     /// The motion cannot go on.
-    Motion(String, DynamicsFailure),
+    Motion(String, DynamicsFailure, Axes),
     /// The mechanism stopped during an event.
     Stopped(Vec<Stop>, String),
     /// A file or pipe that cannot be written; says which.
@@ -52,18 +54,9 @@ impl Failure {
                 eprintln!("error: {model}: {error}");
                 ExitCode::from(1)
             }
-            Self::Static(model, failure) => {
-                eprintln!("error: {model}: {failure}");
-                ExitCode::from(3)
-            }
-            Self::Compliance(model, error) => {
-                eprintln!("error: {model}: {error}");
-                ExitCode::from(3)
-            }
-            Self::Motion(model, failure) => {
-                eprintln!("error: {model}: {failure}");
-                ExitCode::from(3)
-            }
+            Self::Static(model, failure, axes) => no_motion(&model, &failure, axes),
+            Self::Compliance(model, error, axes) => no_motion(&model, &error, axes),
+            Self::Motion(model, failure, axes) => no_motion(&model, &failure, axes),
             Self::Stopped(stops, rows) => {
                 for stop in stops {
                     eprintln!("{stop}");
@@ -85,4 +78,11 @@ impl Failure {
             }
         }
     }
+}
+
+/// Tells why a model neither rests nor moves.
+fn no_motion(model: &str, failure: &impl ToString, axes: Axes) -> ExitCode {
+    let failure = failure.to_string();
+    eprintln!("error: {model}: {failure}{}", axes_of_words(axes, &failure));
+    ExitCode::from(3)
 }

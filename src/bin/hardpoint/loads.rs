@@ -1,7 +1,7 @@
 //! Options that say how a corner or an axle stands on the rig.
 
 use clap::{Args, ValueEnum};
-use hardpoint::model::{Chassis, Drive, Model, Quantity, Setup, Side, WheelSupport};
+use hardpoint::model::{Chassis, Drive, Model, Quantity, Setup, Side, Units, WheelSupport};
 use hardpoint::rig::{LOAD_COMPONENTS, Load, LoadPoint};
 
 use crate::failure::Failure;
@@ -10,9 +10,9 @@ use crate::output::DriveName;
 /// How a corner or an axle stands on the rig and what loads its wheels.
 #[derive(Args)]
 pub struct RigOptions {
-    /// Which height a travel means.
-    #[arg(long, value_enum, default_value = "wheel-center")]
-    drive: DriveName,
+    /// Which height a travel means [default: wheel-center].
+    #[arg(long, value_enum)]
+    drive: Option<DriveName>,
     /// Swap bushings back for the rigid joints that they replace.
     #[arg(long)]
     kinematic: bool,
@@ -21,7 +21,7 @@ pub struct RigOptions {
     /// left.fx=1000 and the like.
     #[arg(long = "load", value_name = "COMPONENT=VALUE", allow_hyphen_values = true)]
     loads: Vec<String>,
-    /// Where --load acts on the wheel's body, and where a compliance is taken [default: contact-patch, of
+    /// Where loads act on the wheel's body, and where a compliance is taken [default: contact-patch, of
     /// a compliance wheel-center].
     #[arg(long, value_enum)]
     at: Option<LoadPointName>,
@@ -39,7 +39,23 @@ enum LoadPointName {
 impl RigOptions {
     /// The drive.
     pub fn drive(&self) -> Drive {
-        self.drive.into()
+        self.drive.map_or(Drive::WheelCenter, Drive::from)
+    }
+
+    /// Refuses the options for a mechanism, which has no wheel.
+    pub fn refuse(&self) -> Result<(), Failure> {
+        let given = [
+            (self.drive.is_some(), "--drive"),
+            (self.kinematic, "--kinematic"),
+            (!self.loads.is_empty(), "--load"),
+            (self.at.is_some(), "--at"),
+        ];
+        match given.into_iter().find(|(given, _)| *given) {
+            Some((_, option)) => Err(Failure::Usage(format!(
+                "{option} belongs to suspensions; this file is a mechanism, whose loads are [[forces]]"
+            ))),
+            None => Ok(()),
+        }
     }
 
     /// Where loads act.
@@ -116,6 +132,23 @@ fn side(text: &str) -> Option<(Side, &str)> {
     let sides = [Side::Left, Side::Right];
     let side = sides.into_iter().find(|side| side.name() == name.trim())?;
     Some((side, rest))
+}
+
+/// No suspension travels farther (m).
+pub const FARTHEST: f64 = 1e3;
+
+/// A length of an option in metres, zero where it is not given.
+pub fn length(option: &str, value: Option<f64>, units: Units) -> Result<f64, Failure> {
+    let metres = value.map_or(0.0, |value| units.length.to_metres(value));
+    if !metres.is_finite() {
+        return Err(Failure::Usage(format!("{option} is not a finite number")));
+    }
+    if metres.abs() > FARTHEST {
+        return Err(Failure::Usage(format!(
+            "{option} is more than a kilometre; lengths are in the unit of the model"
+        )));
+    }
+    Ok(metres)
 }
 
 /// The component of a name.

@@ -4,6 +4,7 @@ mod check;
 mod compliance;
 mod equilibrium;
 mod events;
+mod factors;
 mod failure;
 mod loads;
 mod output;
@@ -43,6 +44,7 @@ enum Command {
     Check(check::Check),
     Compliance(compliance::Compliance),
     Equilibrium(equilibrium::Equilibrium),
+    Factors(factors::Factors),
     Settle(settle::Settle),
     Sweep(sweep::Sweep),
 }
@@ -52,6 +54,7 @@ fn main() -> ExitCode {
         Command::Check(command) => command.run(),
         Command::Compliance(command) => command.run(),
         Command::Equilibrium(command) => command.run(),
+        Command::Factors(command) => command.run(),
         Command::Settle(command) => command.run(),
         Command::Sweep(command) => command.run(),
     };

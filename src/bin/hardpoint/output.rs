@@ -5,6 +5,7 @@ use std::io::{self, BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
+use hardpoint::factors::Convention;
 use hardpoint::model::{Axes, Drive, Side};
 
 use crate::failure::Failure;
@@ -45,6 +46,29 @@ impl From<DriveName> for Drive {
     }
 }
 
+/// Whose definitions of factors are followed where programs differ.
+#[derive(Clone, Copy, Default, ValueEnum)]
+pub enum ConventionName {
+    /// ISO 8855.
+    #[default]
+    Iso,
+    /// Adams/Car.
+    Adams,
+    /// Lotus Suspension Analysis: camber as seen from the front, gradients by the patch, trails
+    /// from the wheel centre, the height of the centre of gravity less the bump.
+    Lotus,
+}
+
+impl From<ConventionName> for Convention {
+    fn from(convention: ConventionName) -> Self {
+        match convention {
+            ConventionName::Iso => Self::Iso,
+            ConventionName::Adams => Self::Adams,
+            ConventionName::Lotus => Self::Lotus,
+        }
+    }
+}
+
 /// How results are written.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Format {
@@ -54,6 +78,30 @@ pub enum Format {
     Csv,
     /// JSON with definitions, Newton iterations and residuals.
     Json,
+}
+
+/// How a result is written that is no table of one kind of rows.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Sheet {
+    /// For people.
+    Table,
+    /// JSON to 15 significant digits.
+    Json,
+}
+
+impl Sheet {
+    /// The format that the ending of a file names.
+    pub fn of(path: &Path) -> Result<Option<Self>, Failure> {
+        match Format::of(path) {
+            Some(Format::Csv) => Err(Failure::Usage(
+                "this result is no table of one kind of rows; name a file that ends in .json or .txt"
+                    .into(),
+            )),
+            Some(Format::Json) => Ok(Some(Self::Json)),
+            Some(Format::Table) => Ok(Some(Self::Table)),
+            None => Ok(None),
+        }
+    }
 }
 
 impl Format {
@@ -84,6 +132,18 @@ pub enum Output {
 }
 
 impl Output {
+    /// Where `-o` sends the result of a model, which must not take the place of the model.
+    pub fn beside(model: &Path, file: Option<&Path>) -> Result<Self, Failure> {
+        let Some(file) = file else { return Ok(Self::Stdout) };
+        let place = fs::canonicalize(file).ok();
+        if place.is_some() && place == fs::canonicalize(model).ok() {
+            return Err(Failure::Usage(
+                "-o would overwrite the model; name another file".to_owned(),
+            ));
+        }
+        Ok(Self::File(file.to_owned()))
+    }
+
     /// Writes all of it or nothing: a file takes its name only when it is complete.
     pub fn write(
         &self,

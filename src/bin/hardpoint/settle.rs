@@ -1,10 +1,9 @@
 //! `hardpoint settle`: let a model come to rest, and compare with its equilibrium.
 
-use std::fs;
 use std::path::PathBuf;
 
 use clap::Args;
-use hardpoint::factors::FACTORS;
+use hardpoint::factors::{Convention, Factor, basic};
 use hardpoint::mechanism::DriverId;
 use hardpoint::model::{
     Axes, Chassis, Document, MechanismModel, Model, Quantity, Units, WheelSupport,
@@ -16,14 +15,17 @@ use hardpoint::solve::dynamics::{
 };
 use hardpoint::solve::{StaticFailure, StaticReport};
 
-use crate::equilibrium::released;
+use crate::equilibrium::{refuse_fixed_chassis, released};
 use crate::failure::Failure;
 use crate::load;
 use crate::loads::RigOptions;
-use crate::output::{Format, Output, SideName};
+use crate::output::{Output, Sheet, SideName, axes_of_words};
 
 /// More samples than this are a mistake in the interval.
 const MOST_SAMPLES: f64 = 1e6;
+
+/// More steps than this are a mistake in their length.
+const MOST_STEPS: f64 = 1e7;
 
 /// Integrate the motion from the design position and compare its end with the equilibrium.
 ///
@@ -44,7 +46,8 @@ pub struct Settle {
     /// How long the motion is followed (s).
     #[arg(long, default_value_t = 5.0, allow_negative_numbers = true, value_name = "S")]
     seconds: f64,
-    /// Length of all steps (s) [default: as long as --tolerance allows].
+    /// Length of all steps (s), at most: a whole number of them makes --interval, or --seconds where
+    /// no motion is written [default: as long as --tolerance allows].
     #[arg(long, allow_negative_numbers = true, value_name = "S")]
     step: Option<f64>,
     /// Local error of a step, relative to the size of the mechanism.
@@ -70,9 +73,9 @@ pub struct Settle {
     /// Look at this side of the vehicle; the other side is the mirror image of the model.
     #[arg(long)]
     side: Option<SideName>,
-    /// How to write the table: table or json.
+    /// How to write the table.
     #[arg(long, value_enum, default_value = "table")]
-    format: Format,
+    format: Sheet,
 }
 
 /// What the columns of a motion are.
@@ -86,25 +89,18 @@ struct Recorder<'a> {
 impl Settle {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
-        if self.format == Format::Csv {
-            return Err(Failure::Usage(
-                "the table is no CSV; write the motion to a CSV file with -o".into(),
-            ));
-        }
         let samples = self.seconds / self.interval;
-        if !(samples.is_finite() && samples >= 0.0 && self.interval > 0.0) {
+        if !(samples.is_finite() && samples > 0.0 && self.interval > 0.0) {
             return Err(Failure::Usage("--seconds and --interval have to be above zero".into()));
         }
         if samples > MOST_SAMPLES {
             return Err(Failure::Usage("--interval is too short: at most 1,000,000 lines".into()));
         }
-        if let Some(output) = &self.output
-            && fs::canonicalize(output)
-                .ok()
-                .is_some_and(|o| fs::canonicalize(&self.model).ok() == Some(o))
-        {
-            return Err(Failure::Usage("-o would overwrite the model; name another file".into()));
+        if self.step.is_some_and(|step| self.seconds / step > MOST_STEPS) {
+            return Err(Failure::Usage("--step is too short: at most 10,000,000 steps".into()));
         }
+        // Refused before the work is done.
+        Output::beside(&self.model, self.output.as_deref())?;
         match load(&self.model, self.side)? {
             Document::Suspension(model) => self.suspension(&model),
             Document::Mechanism(model) => self.mechanism(&model),
@@ -126,7 +122,7 @@ impl Settle {
         corner.set_load(&load);
         let travel = corner.suspension().travel;
         let equilibrium = corner.rest();
-        let mut dynamics = self.dynamics(corner.stand(), &[travel])?;
+        let mut dynamics = self.dynamics(corner.stand(), &[travel], model.axes)?;
         let trajectory = {
             let channels = corner.element_channels();
             let (units, axes) = (model.units, model.axes);
@@ -135,7 +131,7 @@ impl Settle {
         };
         let end = corner.pose_at(dynamics.state());
         let rest = corner.pose_at(corner.equilibrium().state());
-        let shown = FACTORS.iter().filter(|factor| {
+        let shown = basic().filter(|factor| {
             let input = ["travel", "rack"].contains(&factor.name);
             !input && matches!(factor.quantity, Quantity::Length | Quantity::Angle)
         });
@@ -144,23 +140,29 @@ impl Settle {
                 Some(SettleRow {
                     title: factor.title.to_owned(),
                     quantity: factor.quantity,
-                    dynamic: (factor.value)(&end)?,
-                    quasi_static: equilibrium.is_ok().then(|| (factor.value)(&rest)).flatten(),
+                    dynamic: factor.value(Convention::Iso, &end)?,
+                    quasi_static: equilibrium
+                        .is_ok()
+                        .then(|| factor.value(Convention::Iso, &rest))
+                        .flatten(),
                 })
             })
             .collect();
         let title =
             format!("{}, {} side, {} axes", model.name, model.side.name(), model.axes.name());
-        self.tell(&title, model.units, &dynamics, &rows, &equilibrium, trajectory)
+        self.tell(&title, (model.units, model.axes), &dynamics, &rows, &equilibrium)?;
+        self.end(trajectory, model.axes)
     }
 
     fn mechanism(&self, model: &MechanismModel) -> Result<(), Failure> {
+        self.rig.refuse()?;
+        refuse_fixed_chassis(self.fixed_chassis)?;
         let released = released(&self.release, model)?;
         let mut stand = Stand::new(model.mechanism.clone(), &released, Axes::Iso8855)
             .map_err(|error| self.cannot_stand(error))?;
         let equilibrium = stand.rest();
-        let mut dynamics = self.dynamics(&stand, &released)?;
         let (units, axes) = (model.units, Axes::Iso8855);
+        let mut dynamics = self.dynamics(&stand, &released, axes)?;
         let channels: Vec<Channel> = [stand.body_channels(), stand.force_channels()].concat();
         let recorder = Recorder { units, axes, corner: None, channels: &channels };
         let trajectory = self.integrate(&mut dynamics, &recorder)?;
@@ -172,10 +174,16 @@ impl Settle {
             quasi_static: equilibrium.is_ok().then(|| channel.value(&rest, &[], axes)),
         };
         let rows: Vec<SettleRow> = stand.body_channels().iter().map(row).collect();
-        self.tell(&model.name, model.units, &dynamics, &rows, &equilibrium, trajectory)
+        self.tell(&model.name, (units, axes), &dynamics, &rows, &equilibrium)?;
+        self.end(trajectory, axes)
     }
 
-    fn dynamics(&self, stand: &Stand, released: &[DriverId]) -> Result<Dynamics, Failure> {
+    fn dynamics(
+        &self,
+        stand: &Stand,
+        released: &[DriverId],
+        axes: Axes,
+    ) -> Result<Dynamics, Failure> {
         let step = match self.step {
             Some(step) => StepSize::Fixed(step),
             None => StepSize::Adaptive { tolerance: self.tolerance, largest: 0.02 },
@@ -184,7 +192,8 @@ impl Settle {
         // Loads on the wheel are part of the laws.
         let laws = Some(stand.equilibrium().elements().laws());
         let start = Start { released, laws, ..Start::default() };
-        Dynamics::new(stand.system(), &start, integrator).map_err(|failure| self.fails(failure))
+        Dynamics::new(stand.system(), &start, integrator)
+            .map_err(|failure| self.fails(failure, axes))
     }
 
     /// Follows the motion; returns the lines of the CSV file.
@@ -193,11 +202,13 @@ impl Settle {
         dynamics: &mut Dynamics,
         recorder: &Recorder,
     ) -> Result<Trajectory<Vec<f64>>, Failure> {
-        let plan = SettlePlan { until: self.seconds, interval: self.interval, rest: None };
+        let interval = if self.output.is_some() { self.interval } else { self.seconds };
+        let plan = SettlePlan { until: self.seconds, interval, rest: None };
         let trajectory = dynamics.settle(&plan, |dynamics| recorder.sample(dynamics));
-        let trajectory = trajectory.map_err(|failure| self.fails(failure))?;
-        if let Some(path) = &self.output {
-            Output::File(path.clone()).write(|writer| {
+        let trajectory = trajectory.map_err(|failure| self.fails(failure, recorder.axes))?;
+        let output = Output::beside(&self.model, self.output.as_deref())?;
+        if let Output::File(_) = output {
+            output.write(|writer| {
                 let mut csv = csv::Writer::from_writer(writer);
                 csv.write_record(recorder.header())?;
                 for (time, values) in &trajectory.samples {
@@ -213,13 +224,15 @@ impl Settle {
     fn tell(
         &self,
         title: &str,
-        units: Units,
+        (units, axes): (Units, Axes),
         dynamics: &Dynamics,
         rows: &[SettleRow],
         equilibrium: &Result<StaticReport, StaticFailure>,
-        trajectory: Trajectory<Vec<f64>>,
     ) -> Result<(), Failure> {
-        let failure = equilibrium.as_ref().err().map(ToString::to_string);
+        let failure = equilibrium.as_ref().err().map(|failure| {
+            let words = failure.to_string();
+            format!("{words}{}", axes_of_words(axes, &words))
+        });
         let report = SettleReport {
             title,
             units,
@@ -235,11 +248,15 @@ impl Settle {
             },
         };
         Output::Stdout.write(|writer| match self.format {
-            Format::Json => report.write_json(writer),
-            _ => report.write_text(writer),
-        })?;
+            Sheet::Json => report.write_json(writer),
+            Sheet::Table => report.write_text(writer),
+        })
+    }
+
+    /// A motion that stopped early is a failure, told behind what it got to.
+    fn end(&self, trajectory: Trajectory<Vec<f64>>, axes: Axes) -> Result<(), Failure> {
         match trajectory.stop {
-            Some(stop) => Err(self.fails(stop)),
+            Some(stop) => Err(self.fails(stop, axes)),
             None => Ok(()),
         }
     }
@@ -248,11 +265,11 @@ impl Settle {
         Failure::Rig(self.model.display().to_string(), Box::new(error))
     }
 
-    fn fails(&self, failure: DynamicsFailure) -> Failure {
+    fn fails(&self, failure: DynamicsFailure, axes: Axes) -> Failure {
         if let DynamicsFailure::Setting { .. } = failure {
             return Failure::Usage(failure.to_string());
         }
-        Failure::Motion(self.model.display().to_string(), failure)
+        Failure::Motion(self.model.display().to_string(), failure, axes)
     }
 }
 
@@ -276,9 +293,8 @@ impl Recorder<'_> {
         let mut values = vec![];
         if let Some(corner) = self.corner {
             let pose = corner.pose_at(dynamics.state());
-            let value = |factor: &'static hardpoint::factors::Factor| {
-                factor.show(self.units, &pose).unwrap_or(f64::NAN)
-            };
+            let value =
+                |factor: &'static Factor| factor.show(self.units, &pose).unwrap_or(f64::NAN);
             values.extend(kinematic().map(value));
         }
         let loaded = dynamics.loaded();
@@ -293,6 +309,6 @@ impl Recorder<'_> {
 }
 
 /// The factors that a moving wheel has.
-fn kinematic() -> impl Iterator<Item = &'static hardpoint::factors::Factor> {
-    FACTORS.iter().filter(|f| matches!(f.quantity, Quantity::Length | Quantity::Angle))
+fn kinematic() -> impl Iterator<Item = &'static Factor> {
+    basic().filter(|f| matches!(f.quantity, Quantity::Length | Quantity::Angle))
 }

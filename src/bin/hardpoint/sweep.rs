@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use hardpoint::factors::{self, Convention, Factor};
 use hardpoint::mechanism::DriverId;
 use hardpoint::model::{
     Axes, Chassis, Document, MechanismModel, Model, Quantity, Side, Units, WheelSupport,
@@ -13,15 +14,12 @@ use hardpoint::rig::{self, Axle, Corner, Held, Specimen, Stand, SweepPlan};
 use crate::events::{Course, EventName, Wheels};
 use crate::failure::Failure;
 use crate::load;
-use crate::loads::RigOptions;
-use crate::output::{Format, Output, SideName, axes_of_words};
+use crate::loads::{FARTHEST, RigOptions};
+use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
 use crate::progress::Progress;
 
 /// More states than this are a mistake in the step.
 const MOST_STATES: f64 = 1e6;
-
-/// No suspension travels farther (m).
-const FARTHEST: f64 = 1e3;
 
 /// Move wheels, the rack, a load or a driver through an event and list every state.
 ///
@@ -39,6 +37,7 @@ Examples:
   hardpoint sweep models/lotus-front.toml --drive contact-patch --from -37.5 --to 37.5 --step 7.5
   hardpoint sweep models/adams-tr-front.toml --rack 5 --from -10 --to 10 --side right
   hardpoint sweep models/double-wishbone.toml --event steer --travel 20 -o steer.csv
+  hardpoint sweep models/double-wishbone.toml --columns travel,bump_steer,rc_height,anti_dive
   hardpoint sweep models/quarter-car.toml --reactions -o forces.csv
   hardpoint sweep models/bushed-double-wishbone.toml --event load --vary fx --from -2000 --to 2000 --step 500
   hardpoint sweep models/sedan-axle.toml --axle --event opposite --from -50 --to 50
@@ -81,6 +80,13 @@ pub struct Sweep {
     travel: Option<f64>,
     #[command(flatten)]
     rig: RigOptions,
+    /// The factors to list, by the names of `hardpoint factors --list`: toe,camber,rc_height; otherwise the
+    /// place and orientation of the wheel, and what springs and bushings carry.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    columns: Option<Vec<String>>,
+    /// Whose definitions of factors to follow where programs differ [default: iso].
+    #[arg(long, value_enum)]
+    convention: Option<ConventionName>,
     /// List the forces and moments of joints, too.
     #[arg(long)]
     reactions: bool,
@@ -103,10 +109,8 @@ impl Sweep {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
         let document = load(&self.model, self.side)?;
-        let place = self.output.as_ref().and_then(|path| path.canonicalize().ok());
-        if place.is_some() && place == self.model.canonicalize().ok() {
-            return usage("-o would overwrite the model; name another file");
-        }
+        // Refused before the work is done.
+        Output::beside(&self.model, self.output.as_deref())?;
         match document {
             Document::Suspension(model) => self.suspension(&model),
             Document::Mechanism(model) => self.mechanism(&model),
@@ -117,6 +121,7 @@ impl Sweep {
         if self.driver.is_some() {
             return usage("--driver belongs to mechanism files; a suspension has --event");
         }
+        let columns = self.columns()?;
         let event = self.event.unwrap_or(EventName::Travel);
         if self.vary.is_some() && event != EventName::Load {
             return usage("--vary belongs to --event load");
@@ -135,20 +140,16 @@ impl Sweep {
         let setup = self.rig.setup(support, Chassis::Fixed);
         let at = self.rig.point();
         let rig = |error| Failure::Rig(self.model.display().to_string(), Box::new(error));
-        let (quantity, plan, name, sweep) = if self.axle {
+        let (quantity, mut plan, name) = self.plan(event, model.units, model.steers())?;
+        let sweep = if self.axle {
             let [left, right] = self.rig.axle_loads(model)?;
-            let mut axle = Axle::with_loads(model, &setup, at).map_err(rig)?;
-            let (quantity, mut plan, name) = self.plan(event, model.units, axle.steers())?;
             (plan.held.load, plan.held.right_load) = (left, Some(right));
-            let sweep = self.states(&mut axle, &plan, model.axes);
-            (quantity, plan, name, sweep)
+            let mut axle = Axle::with_loads(model, &setup, at).map_err(rig)?;
+            self.states(&mut axle, &plan, model.axes)
         } else {
-            let load = self.rig.load(model)?;
+            plan.held.load = self.rig.load(model)?;
             let mut corner = Corner::with_loads(model, &setup, at).map_err(rig)?;
-            let (quantity, mut plan, name) = self.plan(event, model.units, corner.steers())?;
-            plan.held.load = load;
-            let sweep = self.states(&mut corner, &plan, model.axes);
-            (quantity, plan, name, sweep)
+            self.states(&mut corner, &plan, model.axes)
         };
         let side = [model.side];
         self.write(&SweepReport {
@@ -162,6 +163,8 @@ impl Sweep {
             plan: &plan,
             sweep: &sweep,
             reactions: self.reactions,
+            factors: columns.as_deref(),
+            convention: self.convention.unwrap_or_default().into(),
         })
     }
 
@@ -173,10 +176,13 @@ impl Sweep {
             (self.travel.is_some(), "--travel"),
             (self.axle, "--axle"),
             (self.wheels.is_some(), "--wheels"),
+            (self.columns.is_some(), "--columns"),
+            (self.convention.is_some(), "--convention"),
         ];
         if let Some((_, option)) = suspension.iter().find(|(given, _)| *given) {
             return usage(format!("{option} belongs to suspensions; this file is a mechanism"));
         }
+        self.rig.refuse()?;
         let driver = self.driver_of(model)?;
         let part = &model.mechanism.drivers()[driver.index()];
         let quantity = if part.kind.unit() == "rad" { Quantity::Angle } else { Quantity::Length };
@@ -212,7 +218,18 @@ impl Sweep {
             plan: &plan,
             sweep: &sweep,
             reactions: self.reactions,
+            factors: None,
+            convention: Convention::Iso,
         })
+    }
+
+    /// The factors of `--columns`.
+    fn columns(&self) -> Result<Option<Vec<&'static Factor>>, Failure> {
+        let Some(names) = &self.columns else { return Ok(None) };
+        let find = |name: &String| {
+            factors::find(name.trim()).map_err(|unknown| Failure::Usage(unknown.to_string()))
+        };
+        names.iter().map(find).collect::<Result<_, _>>().map(Some)
     }
 
     fn driver_of(&self, model: &MechanismModel) -> Result<DriverId, Failure> {
@@ -245,8 +262,11 @@ impl Sweep {
     }
 
     fn write(&self, report: &SweepReport) -> Result<(), Failure> {
+        for why in report.empty_columns() {
+            eprintln!("warning: {why}; its column is empty");
+        }
         let named = self.output.as_deref().and_then(Format::of);
-        let output = self.output.clone().map_or(Output::Stdout, Output::File);
+        let output = Output::beside(&self.model, self.output.as_deref())?;
         output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
             Format::Table => report.write_table(writer),
             Format::Csv => report.write_csv(writer),

@@ -30,6 +30,7 @@ pub struct Architecture {
     pub(crate) rack: Option<usize>,
     pub(crate) wheel: WheelRole,
     pub(crate) steer_axis: Option<SteerAxis>,
+    pub(crate) spring: Option<SpringSeats>,
 }
 
 /// A named point and what it is.
@@ -68,6 +69,13 @@ pub struct SteerAxis {
     pub lower: (PointId, BodyId),
     /// The upper point and the body it belongs to.
     pub upper: (PointId, BodyId),
+}
+
+/// The seats of the spring in models that have these points, by the name of the point and the body.
+#[derive(Clone, Debug)]
+pub(crate) struct SpringSeats {
+    pub(crate) lower: (String, BodyId),
+    pub(crate) upper: (String, BodyId),
 }
 
 impl Architecture {

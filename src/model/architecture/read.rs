@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::{Architecture, BodyRole, PointRole, SteerAxis, WheelRole, check};
+use super::{Architecture, BodyRole, PointRole, SpringSeats, SteerAxis, WheelRole, check};
 use crate::mechanism::{BodyId, Joint, JointKind, PointId};
 use crate::model::axes::Axes;
 use crate::model::diagnostics::Report;
@@ -42,6 +42,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
     let rack = rack(root, &read_joints, report);
     let wheel = wheel(root, &names, report);
     let steer_axis = steer_axis(root, &names, report);
+    let spring = spring(root, &roles, &names, report);
     let axis_span = steer_axis.as_ref().map(Spanned::span);
     if !report.mistakes.is_empty() {
         return None;
@@ -57,6 +58,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
         rack,
         wheel: wheel?,
         steer_axis: steer_axis.map(Spanned::into_inner),
+        spring,
     };
     let places = check::Places {
         points: &roles.point_spans,
@@ -215,6 +217,47 @@ fn steer_axis_end(
     let point = point.and_then(|point| names.point(&point, report));
     let body = body.and_then(|body| names.body(&body, report));
     Some((point?, body?))
+}
+
+/// The seats of the spring may be optional points, so they are known by name.
+fn spring(
+    root: &mut Section,
+    roles: &Roles,
+    names: &Names,
+    report: &mut Report,
+) -> Option<SpringSeats> {
+    let help = "name a point and a body for `lower` and `upper`, or remove the section";
+    let mut section = root.optional_section("spring", help, report)?;
+    let [lower, upper] =
+        ["lower", "upper"].map(|end| spring_seat(&mut section, end, roles, names, report));
+    section.finish(report);
+    Some(SpringSeats { lower: lower?, upper: upper? })
+}
+
+fn spring_seat(
+    spring: &mut Section,
+    end: &'static str,
+    roles: &Roles,
+    names: &Names,
+    report: &mut Report,
+) -> Option<(String, BodyId)> {
+    let help = format!("write `{end} = {{ point = \"…\", body = \"…\" }}`");
+    let mut section = spring.section(end, &help, report)?;
+    let point = section.required::<String>("point", &help, report);
+    let body = section.required("body", &help, report);
+    section.finish(report);
+    let body = body.and_then(|body| names.body(&body, report));
+    let point = point?;
+    let known: Vec<&str> =
+        roles.points.iter().chain(&roles.optional_points).map(|role| role.name.as_str()).collect();
+    if !known.contains(&point.get_ref().as_str()) {
+        let message = format!("there is no point `{}`", point.get_ref());
+        report
+            .mistake(&point.span(), message, "unknown point")
+            .help(suggest::choices(point.get_ref(), &known));
+        return None;
+    }
+    Some((point.into_inner(), body?))
 }
 
 /// The joint of the rack: the second body slides along y of the ground.

@@ -130,7 +130,7 @@ pub(super) fn inverse(curve: &Curve, force: f64) -> Result<f64, &'static str> {
     // A value at the end of one row and the start of the next counts once.
     let crosses = |y0: f64, y1: f64| (y0 <= force && force < y1) || (y0 >= force && force > y1);
     let mut found: Vec<f64> = vec![];
-    found.extend(Some(beyond(first)).filter(|x| *x < first[0]));
+    found.extend(Some(beyond(first)).filter(|x| *x < first[0] && x.is_finite()));
     let pairs = points.windows(2).filter(|pair| crosses(pair[0][1], pair[1][1]));
     found.extend(pairs.map(|pair| bisect(|x| spline.at(x).value - force, pair[0][0], pair[1][0])));
     let after = if last[1] == force { last[0] } else { beyond(last) };
@@ -178,5 +178,7 @@ mod tests {
         let hill =
             Curve::Table(Spline::new("x", vec![[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]]).unwrap());
         assert!(inverse(&hill, 0.5).is_err() && inverse(&hill, 3.0).is_err());
+        let level = Curve::Table(Spline::new("x", vec![[0.0, 0.0], [1.0, 0.0]]).unwrap());
+        assert!(inverse(&level, -1.0).is_err() && inverse(&level, 1.0).is_err());
     }
 }

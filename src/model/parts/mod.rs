@@ -48,7 +48,7 @@ impl Parts<'_> {
     }
 
     /// A number in SI that may be absent.
-    fn optional_number(
+    pub(crate) fn optional_number(
         &self,
         section: &mut Section,
         key: &'static str,

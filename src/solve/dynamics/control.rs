@@ -5,6 +5,7 @@ use super::failure::DynamicsFailure;
 use super::method::StepSize;
 use super::step::StepFailure;
 use crate::relation::BODY_COORDINATES;
+use crate::vector::{norm, sub};
 
 /// A rest of the way shorter than this part of a step is none.
 const ROUNDING: f64 = 1e-6;
@@ -16,6 +17,9 @@ const GROW: f64 = 2.0;
 
 /// A step that could be longer by less than this factor stays: the factorisation can be kept.
 const WORTHWHILE: f64 = 1.2;
+
+/// No body of a vehicle gets farther than this from where it began (m, or sizes of the mechanism).
+const FARTHEST: f64 = 1e3;
 
 /// The part of the tolerance that steps aim for.
 const SAFETY: f64 = 0.8;
@@ -32,6 +36,20 @@ impl Dynamics {
         }
         while self.now.time < time {
             self.step_towards(time)?;
+            self.check_distance()?;
+        }
+        Ok(())
+    }
+
+    /// Refuses bodies that have left for good, whose steps would only become ever shorter.
+    fn check_distance(&self) -> Result<(), DynamicsFailure> {
+        let bodies = self.mechanism.bodies().iter().zip(&self.now.state);
+        for (body, q) in bodies.skip(1) {
+            let distance = norm(sub([q[0], q[1], q[2]], body.origin));
+            if distance > FARTHEST.max(FARTHEST * self.scales.length) {
+                let (body, time) = (body.name.clone(), self.now.time);
+                return Err(DynamicsFailure::RanAway { body, distance, time });
+            }
         }
         Ok(())
     }

@@ -107,6 +107,19 @@ pub enum DynamicsFailure {
         /// Its local error, relative.
         error: f64,
     },
+    /// A body leaves for good.
+    #[error(
+        "the motion runs away: at {time:.6} s {body} is {distance:.0} m from where it began. Check the signs of \
+         stiffness and damping, hold it with a joint or a spring, or ask for a shorter time"
+    )]
+    RanAway {
+        /// The body.
+        body: String,
+        /// How far it is (m).
+        distance: f64,
+        /// Time (s).
+        time: f64,
+    },
     /// An equation that is left out as redundant is not satisfied.
     #[error(
         "{equation}, is redundant at the start but is violated by {residual:.1e} at {time:.9} s: \

@@ -40,10 +40,11 @@ pub use start::{Start, StartReport};
 use self::method::Coefficients;
 use super::linear::{LinearSolver, solver};
 use super::position::Scales;
+use super::rank::undetermined;
 use super::system::System;
 use super::wrench::{Loaded, Reaction};
 use crate::assembly::{Elements, Inertias, Kkt, Motion, Numbering, Terms};
-use crate::mechanism::{DriverId, Expansion, Mechanism};
+use crate::mechanism::{DriverId, Expansion, Mechanism, Owner};
 use crate::relation::{BODY_COORDINATES, Coordinates};
 
 /// A mechanism in motion.
@@ -268,7 +269,14 @@ impl Dynamics {
 
     /// The reactions of all joints, in their order.
     pub fn reactions(&self) -> Vec<Reaction> {
-        self.loaded().reactions(|equation| self.is_held(equation))
+        let released = self.released.iter();
+        let released =
+            released.flat_map(|&driver| self.expansion.equations_of(Owner::Driver(driver)));
+        // What a released driver held is held by nothing, so it shares no reaction.
+        let kept: Vec<usize> = self.numbering.kept().iter().copied().chain(released).collect();
+        let (state, kept) = (&self.now.state, (&kept[..], self.scales));
+        let shared = undetermined(&self.expansion, &self.terms, state, &self.h, kept);
+        self.loaded().reactions(|equation| !shared.contains(&equation))
     }
 
     /// How the velocities that were asked for fit the joints.

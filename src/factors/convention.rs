@@ -1,0 +1,24 @@
+//! Which program's definitions are followed where they differ.
+
+/// A set of definitions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Convention {
+    /// ISO 8855.
+    #[default]
+    Iso,
+    /// Adams/Car. Of the kinematic factors all are those of ISO 8855.
+    Adams,
+    /// Lotus Suspension Analysis.
+    Lotus,
+}
+
+impl Convention {
+    /// The name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Iso => "iso",
+            Self::Adams => "adams",
+            Self::Lotus => "lotus",
+        }
+    }
+}
