@@ -1,27 +1,14 @@
 //! The command line as a user meets it.
 
+#[path = "common/program.rs"]
+mod program;
+
 use std::fs;
 use std::io::Read as _;
 use std::path::Path;
 use std::process::Stdio;
 
-use assert_cmd::Command;
-
-fn hardpoint(arguments: &[&str]) -> assert_cmd::assert::Assert {
-    Command::cargo_bin("hardpoint")
-        .expect("the program is built")
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(arguments)
-        .assert()
-}
-
-fn stdout(assert: &assert_cmd::assert::Assert) -> String {
-    String::from_utf8(assert.get_output().stdout.clone()).expect("the output is text")
-}
-
-fn stderr(assert: &assert_cmd::assert::Assert) -> String {
-    String::from_utf8(assert.get_output().stderr.clone()).expect("the messages are text")
-}
+use program::{hardpoint, stderr, stdout};
 
 const SEDAN: &str = "models/double-wishbone.toml";
 

@@ -1,38 +1,19 @@
 //! Axles and compliance matrices as a user meets them.
 #![allow(missing_docs)]
 
+#[path = "common/program.rs"]
+mod program;
+
 use std::fs;
 
-use assert_cmd::Command;
-
-fn hardpoint(arguments: &[&str]) -> assert_cmd::assert::Assert {
-    Command::cargo_bin("hardpoint")
-        .expect("the program is built")
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(arguments)
-        .assert()
-}
-
-fn stdout(assert: &assert_cmd::assert::Assert) -> String {
-    String::from_utf8(assert.get_output().stdout.clone()).expect("the output is text")
-}
-
-/// The columns of a CSV text by their names.
-fn column(text: &str, name: &str) -> Vec<f64> {
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let headers = reader.headers().expect("there is a header").clone();
-    let index = headers.iter().position(|header| header == name);
-    let index = index.unwrap_or_else(|| panic!("no column {name} in {headers:?}"));
-    reader.records().map(|row| row.unwrap()[index].parse().unwrap()).collect()
-}
+use program::{column, hardpoint, json, stdout};
 
 fn csv(arguments: &[&str]) -> String {
     stdout(&hardpoint(&[arguments, &["--format", "csv"]].concat()).success())
 }
 
 fn compliance(arguments: &[&str]) -> serde_json::Value {
-    let all = [&["compliance"], arguments, &["--format", "json"]].concat();
-    serde_json::from_str(&stdout(&hardpoint(&all).success())).expect("the output is JSON")
+    json(&[&["compliance"], arguments].concat())
 }
 
 fn entry(found: &serde_json::Value, row: usize, column: usize) -> f64 {

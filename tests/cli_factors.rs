@@ -1,25 +1,11 @@
 //! `hardpoint factors` and factors as columns, as a user meets them.
 #![allow(missing_docs)]
 
+#[path = "common/program.rs"]
+mod program;
+
+use program::{hardpoint, stderr, stdout};
 use std::fs;
-
-use assert_cmd::Command;
-
-fn hardpoint(arguments: &[&str]) -> assert_cmd::assert::Assert {
-    Command::cargo_bin("hardpoint")
-        .expect("the program is built")
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(arguments)
-        .assert()
-}
-
-fn stdout(assert: &assert_cmd::assert::Assert) -> String {
-    String::from_utf8(assert.get_output().stdout.clone()).expect("the output is text")
-}
-
-fn stderr(assert: &assert_cmd::assert::Assert) -> String {
-    String::from_utf8(assert.get_output().stderr.clone()).expect("the messages are text")
-}
 
 const SEDAN: &str = "models/double-wishbone.toml";
 const LOTUS: &str = "models/lotus-front.toml";

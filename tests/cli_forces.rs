@@ -1,39 +1,10 @@
 //! Equilibrium, settling and sweeps with forces as a user meets them.
 
+#[path = "common/program.rs"]
+mod program;
+
+use program::{column, hardpoint, json, stderr, stdout};
 use std::fs;
-
-use assert_cmd::Command;
-
-fn hardpoint(arguments: &[&str]) -> assert_cmd::assert::Assert {
-    Command::cargo_bin("hardpoint")
-        .expect("the program is built")
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(arguments)
-        .assert()
-}
-
-fn stdout(assert: &assert_cmd::assert::Assert) -> String {
-    String::from_utf8(assert.get_output().stdout.clone()).expect("the output is text")
-}
-
-fn stderr(assert: &assert_cmd::assert::Assert) -> String {
-    String::from_utf8(assert.get_output().stderr.clone()).expect("the messages are text")
-}
-
-fn json(arguments: &[&str]) -> serde_json::Value {
-    let mut all = arguments.to_vec();
-    all.extend(["--format", "json"]);
-    serde_json::from_str(&stdout(&hardpoint(&all).success())).expect("the output is JSON")
-}
-
-/// The columns of a CSV text by their names.
-fn column(text: &str, name: &str) -> Vec<f64> {
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let headers = reader.headers().expect("there is a header").clone();
-    let index = headers.iter().position(|header| header == name);
-    let index = index.unwrap_or_else(|| panic!("no column {name} in {headers:?}"));
-    reader.records().map(|row| row.unwrap()[index].parse().unwrap()).collect()
-}
 
 const QUARTER: &str = "models/quarter-car.toml";
 const BUSHED: &str = "models/bushed-double-wishbone.toml";

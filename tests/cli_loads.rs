@@ -1,31 +1,12 @@
 //! The command line on models with forces, as a user meets it.
 
+#[path = "common/program.rs"]
+mod program;
+
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
-use serde_json::Value;
-
-fn hardpoint(arguments: &[&str]) -> assert_cmd::assert::Assert {
-    Command::cargo_bin("hardpoint")
-        .expect("the program is built")
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(arguments)
-        .assert()
-}
-
-fn stdout(assert: &assert_cmd::assert::Assert) -> String {
-    String::from_utf8(assert.get_output().stdout.clone()).expect("the output is text")
-}
-
-fn stderr(assert: &assert_cmd::assert::Assert) -> String {
-    String::from_utf8(assert.get_output().stderr.clone()).expect("the messages are text")
-}
-
-fn json(arguments: &[&str]) -> Value {
-    let arguments = [arguments, &["--format", "json"]].concat();
-    serde_json::from_str(&stdout(&hardpoint(&arguments).success())).expect("the output is JSON")
-}
+use program::{hardpoint, json, stderr, stdout};
 
 /// Writes a file into a folder and returns its name.
 fn write(folder: &Path, text: &str) -> String {
