@@ -59,7 +59,7 @@ impl Compliance {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
         // Refused before the work is done.
-        Output::beside(&self.model, self.output.as_deref())?;
+        let output = Output::beside(&self.model, self.output.as_deref())?;
         let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
         let Document::Suspension(model) = load(&self.model, self.side)? else {
             return usage("a compliance belongs to wheels; this file is a mechanism");
@@ -97,7 +97,6 @@ impl Compliance {
             compliance: &compliance,
         };
         let named = self.output.as_deref().and_then(Format::of);
-        let output = Output::beside(&self.model, self.output.as_deref())?;
         output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
             Format::Table => report.write_table(writer),
             Format::Csv => report.write_csv(writer),

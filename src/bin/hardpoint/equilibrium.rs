@@ -11,7 +11,7 @@ use hardpoint::solve::{StaticFailure, Stop};
 
 use crate::failure::Failure;
 use crate::load;
-use crate::loads::RigOptions;
+use crate::loads::{RigOptions, length};
 use crate::output::{Output, Sheet, SideName, axes_of_words};
 
 /// Find the static equilibrium: pose, reactions of all joints, state of all springs and bushings.
@@ -61,14 +61,14 @@ impl Equilibrium {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
         // Refused before the work is done.
-        Output::beside(&self.model, self.output.as_deref())?;
+        let output = Output::beside(&self.model, self.output.as_deref())?;
         match load(&self.model, self.side)? {
-            Document::Suspension(model) => self.suspension(&model),
-            Document::Mechanism(model) => self.mechanism(&model),
+            Document::Suspension(model) => self.suspension(&model, &output),
+            Document::Mechanism(model) => self.mechanism(&model, &output),
         }
     }
 
-    fn suspension(&self, model: &Model) -> Result<(), Failure> {
+    fn suspension(&self, model: &Model, output: &Output) -> Result<(), Failure> {
         let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
         if !model.has_forces() {
             return usage(
@@ -83,14 +83,8 @@ impl Equilibrium {
         let slides = free && model.is_quarter_car() && !self.fixed_chassis;
         let support = if free { WheelSupport::Free } else { WheelSupport::Held };
         let chassis = if slides { Chassis::Slide } else { Chassis::Fixed };
-        let metres = |value: Option<f64>, name: &str| match value {
-            Some(value) if !value.is_finite() => {
-                Err(Failure::Usage(format!("{name} is not a finite number")))
-            }
-            Some(value) => Ok(model.units.length.to_metres(value)),
-            None => Ok(0.0),
-        };
-        let (travel, rack) = (metres(self.travel, "--travel")?, metres(self.rack, "--rack")?);
+        let travel = length("--travel", self.travel, model.units)?;
+        let rack = length("--rack", self.rack, model.units)?;
         let load = self.rig.load(model)?;
         let setup = self.rig.setup(support, chassis);
         let mut corner = Corner::with_loads(model, &setup, self.rig.point())
@@ -109,9 +103,9 @@ impl Equilibrium {
             (true, false, true) => "chassis fixed, wheel on its tyre".to_owned(),
             (true, false, false) => "chassis fixed, wheel free".to_owned(),
             (false, ..) => {
-                let length = model.units.length;
-                let travel = length.from_metres(travel);
-                format!("wheel held at a travel of {travel} {}", length.symbol())
+                let unit = model.units.length;
+                let travel = unit.from_metres(travel);
+                format!("wheel held at a travel of {travel} {}", unit.symbol())
             }
         };
         let title = format!(
@@ -120,7 +114,7 @@ impl Equilibrium {
             model.side.name(),
             model.axes.name()
         );
-        self.write(&StaticsReport {
+        let report = StaticsReport {
             title: &title,
             axes: model.axes,
             units: model.units,
@@ -128,10 +122,11 @@ impl Equilibrium {
             found: &found,
             pose: Some(&pose),
             elements: corner.element_channels(),
-        })
+        };
+        self.write(&report, output)
     }
 
-    fn mechanism(&self, model: &MechanismModel) -> Result<(), Failure> {
+    fn mechanism(&self, model: &MechanismModel, output: &Output) -> Result<(), Failure> {
         if self.travel.is_some() || self.rack.is_some() {
             return Err(Failure::Usage(
                 "--travel and --rack belong to suspensions; this file is a mechanism".into(),
@@ -143,7 +138,7 @@ impl Equilibrium {
         let mut stand = Stand::new(model.mechanism.clone(), &released, Axes::Iso8855)
             .map_err(|error| self.cannot_stand(error))?;
         let found = stand.rest().map_err(|failure| self.fails(failure, Axes::Iso8855))?;
-        self.write(&StaticsReport {
+        let report = StaticsReport {
             title: &model.name,
             axes: Axes::Iso8855,
             units: model.units,
@@ -151,15 +146,15 @@ impl Equilibrium {
             found: &found,
             pose: None,
             elements: stand.force_channels(),
-        })
+        };
+        self.write(&report, output)
     }
 
-    fn write(&self, report: &StaticsReport) -> Result<(), Failure> {
+    fn write(&self, report: &StaticsReport, output: &Output) -> Result<(), Failure> {
         let named = match (self.format, self.output.as_deref()) {
             (None, Some(path)) => Sheet::of(path)?,
             _ => None,
         };
-        let output = Output::beside(&self.model, self.output.as_deref())?;
         output.write(|writer| match self.format.or(named).unwrap_or(Sheet::Table) {
             Sheet::Table => report.write_text(writer),
             Sheet::Json => report.write_json(writer),

@@ -100,14 +100,14 @@ impl Settle {
             return Err(Failure::Usage("--step is too short: at most 10,000,000 steps".into()));
         }
         // Refused before the work is done.
-        Output::beside(&self.model, self.output.as_deref())?;
+        let output = Output::beside(&self.model, self.output.as_deref())?;
         match load(&self.model, self.side)? {
-            Document::Suspension(model) => self.suspension(&model),
-            Document::Mechanism(model) => self.mechanism(&model),
+            Document::Suspension(model) => self.suspension(&model, &output),
+            Document::Mechanism(model) => self.mechanism(&model, &output),
         }
     }
 
-    fn suspension(&self, model: &Model) -> Result<(), Failure> {
+    fn suspension(&self, model: &Model, output: &Output) -> Result<(), Failure> {
         if !self.release.is_empty() {
             return Err(Failure::Usage(
                 "--release names drivers of a mechanism file; a suspension has none".into(),
@@ -127,14 +127,12 @@ impl Settle {
             let channels = corner.element_channels();
             let (units, axes) = (model.units, model.axes);
             let recorder = Recorder { units, axes, corner: Some(&corner), channels };
-            self.integrate(&mut dynamics, &recorder)?
+            self.integrate(&mut dynamics, &recorder, output)?
         };
         let end = corner.pose_at(dynamics.state());
         let rest = corner.pose_at(corner.equilibrium().state());
-        let shown = basic().filter(|factor| {
-            let input = ["travel", "rack"].contains(&factor.name);
-            !input && matches!(factor.quantity, Quantity::Length | Quantity::Angle)
-        });
+        // Travel and rack are what the rig holds in a sweep, no part of the paper's table.
+        let shown = kinematic().filter(|factor| !["travel", "rack"].contains(&factor.name));
         let rows: Vec<SettleRow> = shown
             .filter_map(|factor| {
                 Some(SettleRow {
@@ -154,7 +152,7 @@ impl Settle {
         self.end(trajectory, model.axes)
     }
 
-    fn mechanism(&self, model: &MechanismModel) -> Result<(), Failure> {
+    fn mechanism(&self, model: &MechanismModel, output: &Output) -> Result<(), Failure> {
         self.rig.refuse()?;
         refuse_fixed_chassis(self.fixed_chassis)?;
         let released = released(&self.release, model)?;
@@ -165,7 +163,7 @@ impl Settle {
         let mut dynamics = self.dynamics(&stand, &released, axes)?;
         let channels: Vec<Channel> = [stand.body_channels(), stand.force_channels()].concat();
         let recorder = Recorder { units, axes, corner: None, channels: &channels };
-        let trajectory = self.integrate(&mut dynamics, &recorder)?;
+        let trajectory = self.integrate(&mut dynamics, &recorder, output)?;
         let (end, rest) = (dynamics.loaded(), stand.equilibrium().loaded());
         let row = |channel: &Channel| SettleRow {
             title: channel.title.clone(),
@@ -201,12 +199,12 @@ impl Settle {
         &self,
         dynamics: &mut Dynamics,
         recorder: &Recorder,
+        output: &Output,
     ) -> Result<Trajectory<Vec<f64>>, Failure> {
         let interval = if self.output.is_some() { self.interval } else { self.seconds };
         let plan = SettlePlan { until: self.seconds, interval, rest: None };
         let trajectory = dynamics.settle(&plan, |dynamics| recorder.sample(dynamics));
         let trajectory = trajectory.map_err(|failure| self.fails(failure, recorder.axes))?;
-        let output = Output::beside(&self.model, self.output.as_deref())?;
         if let Output::File(_) = output {
             output.write(|writer| {
                 let mut csv = csv::Writer::from_writer(writer);

@@ -110,14 +110,14 @@ impl Sweep {
     pub fn run(&self) -> Result<(), Failure> {
         let document = load(&self.model, self.side)?;
         // Refused before the work is done.
-        Output::beside(&self.model, self.output.as_deref())?;
+        let output = Output::beside(&self.model, self.output.as_deref())?;
         match document {
-            Document::Suspension(model) => self.suspension(&model),
-            Document::Mechanism(model) => self.mechanism(&model),
+            Document::Suspension(model) => self.suspension(&model, &output),
+            Document::Mechanism(model) => self.mechanism(&model, &output),
         }
     }
 
-    fn suspension(&self, model: &Model) -> Result<(), Failure> {
+    fn suspension(&self, model: &Model, output: &Output) -> Result<(), Failure> {
         if self.driver.is_some() {
             return usage("--driver belongs to mechanism files; a suspension has --event");
         }
@@ -152,7 +152,7 @@ impl Sweep {
             self.states(&mut corner, &plan, model.axes)
         };
         let side = [model.side];
-        self.write(&SweepReport {
+        let report = SweepReport {
             name: &model.name,
             sides: if self.axle { &[Side::Left, Side::Right] } else { &side },
             axes: model.axes,
@@ -165,10 +165,11 @@ impl Sweep {
             reactions: self.reactions,
             factors: columns.as_deref(),
             convention: self.convention.unwrap_or_default().into(),
-        })
+        };
+        self.write(&report, output)
     }
 
-    fn mechanism(&self, model: &MechanismModel) -> Result<(), Failure> {
+    fn mechanism(&self, model: &MechanismModel, output: &Output) -> Result<(), Failure> {
         let suspension = [
             (self.event.is_some(), "--event"),
             (self.vary.is_some(), "--vary"),
@@ -207,7 +208,7 @@ impl Sweep {
         };
         check_states(&plan)?;
         let sweep = self.states(&mut stand, &plan, Axes::Iso8855);
-        self.write(&SweepReport {
+        let report = SweepReport {
             name: &model.name,
             sides: &[],
             axes: Axes::Iso8855,
@@ -220,7 +221,8 @@ impl Sweep {
             reactions: self.reactions,
             factors: None,
             convention: Convention::Iso,
-        })
+        };
+        self.write(&report, output)
     }
 
     /// The factors of `--columns`.
@@ -261,12 +263,11 @@ impl Sweep {
         sweep
     }
 
-    fn write(&self, report: &SweepReport) -> Result<(), Failure> {
+    fn write(&self, report: &SweepReport, output: &Output) -> Result<(), Failure> {
         for why in report.empty_columns() {
             eprintln!("warning: {why}; its column is empty");
         }
         let named = self.output.as_deref().and_then(Format::of);
-        let output = Output::beside(&self.model, self.output.as_deref())?;
         output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
             Format::Table => report.write_table(writer),
             Format::Csv => report.write_csv(writer),
