@@ -1,6 +1,6 @@
 //! An axle on the rig.
 
-use super::channel::{Channel, distinct, driver_channels, element_channels};
+use super::channel::Channel;
 use super::corner::RigError;
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::Pose;
@@ -8,7 +8,7 @@ use super::stand::Stand;
 use super::station::Station;
 use super::sweep::{Specimen, SweepPlan};
 use crate::mechanism::Force;
-use crate::model::{Axes, AxleSide, AxleSuspension, Model, Setup, Side, WheelSupport};
+use crate::model::{AxleSide, AxleSuspension, Model, Setup, Side, WheelSupport};
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop};
 
@@ -24,7 +24,6 @@ pub struct Axle {
     load: [Load; 2],
     own_forces: usize,
     elements: Vec<Channel>,
-    axes: Axes,
 }
 
 impl Axle {
@@ -81,17 +80,10 @@ impl Axle {
             WheelSupport::Free => suspension.sides.map(|part| part.travel).to_vec(),
         };
         let stand = Stand::new(suspension.mechanism.clone(), &released, axes)?;
-        let mut elements = vec![];
-        if loads.is_some() {
-            let (mechanism, expansion) = (stand.mechanism(), stand.system().expansion());
-            // The forces of the travel drivers are the wheel loads, which are factors.
-            let travels = suspension.sides.map(|part| part.travel);
-            elements.extend(driver_channels(mechanism, expansion, &travels));
-            // What the rig puts on the wheels is an input, not a result.
-            let own = |channel: &Channel| channel.force().is_some_and(|f| f.index() < own_forces);
-            elements.extend(element_channels(mechanism, expansion).into_iter().filter(own));
-            distinct(elements.iter_mut());
-        }
+        let elements = match loads {
+            Some(_) => stand.model_channels(own_forces, &suspension.sides.map(|part| part.travel)),
+            None => vec![],
+        };
         let rack = suspension.rack;
         Ok(Self {
             stations: suspension.sides.map(|part| Station::of_axle(&part, rack, model, setup)),
@@ -101,7 +93,6 @@ impl Axle {
             stand,
             loads,
             own_forces,
-            axes,
         })
     }
 
@@ -224,10 +215,7 @@ impl Specimen for Axle {
     }
 
     fn channel_values(&self) -> Vec<f64> {
-        let equilibrium = self.stand.equilibrium();
-        let (loaded, reactions) = (equilibrium.loaded(), equilibrium.reactions());
-        let channels = self.elements.iter().chain(self.joint_channels());
-        channels.map(|channel| channel.value(&loaded, &reactions, self.axes)).collect()
+        self.stand.values(&self.elements)
     }
 
     fn free_motions(&self) -> Vec<String> {

@@ -2,14 +2,14 @@
 
 use thiserror::Error;
 
-use super::channel::{Channel, distinct, driver_channels, element_channels};
+use super::channel::Channel;
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::Pose;
 use super::stand::Stand;
 use super::station::Station;
 use super::sweep::{Specimen, SweepPlan};
 use crate::mechanism::{Force, MechanismError};
-use crate::model::{Axes, Model, Setup, Suspension, SuspensionError, WheelSupport};
+use crate::model::{Model, Setup, Suspension, SuspensionError, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{
@@ -42,7 +42,6 @@ pub struct Corner {
     load: Load,
     own_forces: usize,
     elements: Vec<Channel>,
-    axes: Axes,
 }
 
 impl Corner {
@@ -73,20 +72,13 @@ impl Corner {
             WheelSupport::Free => vec![suspension.travel],
         };
         let stand = Stand::new(suspension.mechanism.clone(), &released, model.axes)?;
-        let mut elements = vec![];
-        if loads.is_some() {
-            let (mechanism, expansion) = (stand.mechanism(), stand.system().expansion());
-            // The force of the travel driver is the wheel load, which is a factor.
-            elements.extend(driver_channels(mechanism, expansion, &[suspension.travel]));
-            // What the rig puts on the wheel is an input, not a result.
-            let own = |channel: &Channel| channel.force().is_some_and(|f| f.index() < own_forces);
-            elements.extend(element_channels(mechanism, expansion).into_iter().filter(own));
-            distinct(elements.iter_mut());
-        }
+        let elements = match loads {
+            Some(_) => stand.model_channels(own_forces, &[suspension.travel]),
+            None => vec![],
+        };
         Ok(Self {
             station: Station::of_corner(&suspension, model, setup),
             load: Load::default(),
-            axes: model.axes,
             suspension,
             stand,
             loads,
@@ -215,10 +207,7 @@ impl Specimen for Corner {
     }
 
     fn channel_values(&self) -> Vec<f64> {
-        let equilibrium = self.stand.equilibrium();
-        let (loaded, reactions) = (equilibrium.loaded(), equilibrium.reactions());
-        let channels = self.elements.iter().chain(self.joint_channels());
-        channels.map(|channel| channel.value(&loaded, &reactions, self.axes)).collect()
+        self.stand.values(&self.elements)
     }
 
     fn free_motions(&self) -> Vec<String> {

@@ -142,6 +142,25 @@ impl Stand {
         &self.elements[self.body_channels().len()..]
     }
 
+    /// The channels of a stand with wheels: of its drivers and of its first forces, those of the model.
+    /// Forces of the travel drivers are wheel loads, which are factors; what the rig puts on the
+    /// wheels is an input, not a result.
+    pub(super) fn model_channels(&self, own_forces: usize, travels: &[DriverId]) -> Vec<Channel> {
+        let (mechanism, expansion) = (self.mechanism(), self.system.expansion());
+        let own = |channel: &Channel| channel.force().is_some_and(|f| f.index() < own_forces);
+        let mut channels = driver_channels(mechanism, expansion, travels);
+        channels.extend(element_channels(mechanism, expansion).into_iter().filter(own));
+        distinct(channels.iter_mut());
+        channels
+    }
+
+    /// The values (SI) of channels and, behind them, of those of joints.
+    pub(super) fn values(&self, channels: &[Channel]) -> Vec<f64> {
+        let (loaded, reactions) = (self.equilibrium.loaded(), self.equilibrium.reactions());
+        let channels = channels.iter().chain(self.joint_channels());
+        channels.map(|channel| channel.value(&loaded, &reactions, self.axes)).collect()
+    }
+
     /// Moves drivers to values (m or rad, from the design position).
     ///
     /// # Errors
@@ -253,9 +272,7 @@ impl Specimen for Stand {
     }
 
     fn channel_values(&self) -> Vec<f64> {
-        let (loaded, reactions) = (self.equilibrium.loaded(), self.equilibrium.reactions());
-        let channels = self.elements.iter().chain(self.joint_channels());
-        channels.map(|channel| channel.value(&loaded, &reactions, self.axes)).collect()
+        self.values(&self.elements)
     }
 
     fn free_motions(&self) -> Vec<String> {
