@@ -37,6 +37,11 @@ fn roll_center<S: Real>(pose: &Pose<S>) -> Option<[S; 2]> {
     Some([y, z])
 }
 
+fn roll_center_y<S: Real>(pose: &Pose<S>) -> Option<S> {
+    let zero = S::from_f64(0.0);
+    Some(pose.axes.from_iso([zero, roll_center(pose)?[0], zero])[1])
+}
+
 /// Height of the roll centre above the line through both patches.
 fn roll_center_height<S: Real>(pose: &Pose<S>) -> Option<S> {
     let [y, z] = roll_center(pose)?;
@@ -103,11 +108,7 @@ pub(super) const ROLL: &[Factor] = &[
         sign: "+ along the model's +y",
         formula: "where the normals to v_P of both wheels meet in front view, y in the model's axes",
         source: "Lotus",
-        value: formula!(|pose| {
-            let y = roll_center(pose)?[0];
-            let zero = y - y;
-            Some(pose.axes.from_iso([zero, y, zero])[1])
-        }),
+        value: formula!(roll_center_y),
         ..CENTER
     },
     Factor {
