@@ -141,6 +141,9 @@ fn roll_centre_of_both_wheels() {
     close_to(iso("roll_center_z", &one), iso("roll_center_z", &other), 1e-12);
 }
 
+/// Both wheels, and the roll of the body against the line through their patches (rad).
+type State = ([Pose<f64>; 2], f64);
+
 /// Roll steer and roll camber are the slopes of toe and camber in opposite travel, by the
 /// angle of the line through both patches.
 #[test]
@@ -148,7 +151,7 @@ fn roll_slopes_are_those_of_opposite_travel() {
     for name in ["lotus-front", "sedan-axle"] {
         let model = model(name);
         let mut axle = axle(&model, Drive::WheelCenter);
-        let mut at = |u: f64| {
+        let mut at = |u: f64| -> State {
             axle.move_to([0.01 + u, 0.01 - u], 0.004).unwrap();
             let poses = axle.poses();
             let [left, right] = poses.each_ref().map(|pose| pose.wheel.contact_patch());
@@ -157,7 +160,7 @@ fn roll_slopes_are_those_of_opposite_travel() {
         };
         let h = 5e-4;
         let states = [-2.0, -1.0, 1.0, 2.0].map(|k| at(k * h));
-        let slope = |value: &dyn Fn(&([Pose<f64>; 2], f64)) -> f64| {
+        let slope = |value: &dyn Fn(&State) -> f64| {
             let [a, b, c, d] = states.each_ref().map(value);
             (8.0 * (c - b) - (d - a)) / (12.0 * h)
         };
