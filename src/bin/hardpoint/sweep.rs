@@ -143,7 +143,7 @@ impl Sweep {
         let (quantity, mut plan, name) = self.plan(event, model.units, model.steers())?;
         // The matrix costs as much as the state itself.
         let needs = |factor: &&'static Factor| factor.needs.contains(&Need::Compliance);
-        let measures = columns.iter().flatten().any(|factor| needs(&factor));
+        let measures = columns.iter().flatten().any(needs);
         let sweep = if self.axle {
             let [left, right] = self.rig.axle_loads(model)?;
             (plan.held.load, plan.held.right_load) = (left, Some(right));
