@@ -32,6 +32,7 @@ mod table;
 mod travel;
 pub mod wheel;
 
+pub use anti::roll_axis;
 pub use convention::Convention;
 pub use definition::{Definition, Factor, Formula, Subject};
 pub use need::Need;
