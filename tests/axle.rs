@@ -72,7 +72,8 @@ fn compare_with_corners(model: &Model, setup: &Setup, tolerance: f64) {
     let at = LoadPoint::ContactPatch;
     let fx = load(&[("fx", -800.0), ("mz", 20.0)]);
     let fy = load(&[("fy", 500.0)]);
-    let both = Held { travel: 0.01, rack: 0.004, load: fx, right_load: Some(fy) };
+    let both =
+        Held { travel: 0.01, rack: 0.004, load: fx, right_load: Some(fy), ..Held::default() };
     let events = [
         (Event::Travel, 0.04, Held { rack: 0.01, ..Held::default() }),
         (Event::Opposite, 0.03, both),

@@ -17,6 +17,13 @@ fn roll_center<S: Real>(pose: &Pose<S>) -> Option<S> {
     quotient(patch[1] * v[1], v[2], FARTHEST)
 }
 
+/// Height (m) of the static roll centre of an axle in the coordinates of its points, about which its body
+/// rolls: P_z + `rc_height`, the mean of both sides; `None` where one of them has none.
+pub fn roll_axis(poses: [&Pose<f64>; 2]) -> Option<f64> {
+    let [left, right] = poses.map(|pose| Some(pose.wheel.contact_patch()[2] + roll_center(pose)?));
+    Some((left? + right?) / 2.0)
+}
+
 /// The same from the path of the lowest point.
 fn roll_center_by_track<S: Real>(pose: &Pose<S>) -> Option<S> {
     let patch = pose.wheel.moving(&per_travel(pose)?).contact_patch();

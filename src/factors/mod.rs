@@ -34,6 +34,7 @@ mod table;
 mod travel;
 pub mod wheel;
 
+pub use anti::roll_axis;
 pub use convention::Convention;
 pub use definition::{Definition, Factor, Formula, Scope, Subject};
 pub use need::Need;

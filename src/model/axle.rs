@@ -1,7 +1,8 @@
 //! Both sides of a vehicle in one mechanism.
 
+use super::chassis::Rolling;
 use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
-use super::suspension::{StrutLine, Wheel};
+use super::suspension::{StrutLine, Wheel, is_from_ground};
 use super::{AntiRollBar, Model, Side, SteerAxis, mean};
 use crate::mechanism::{
     BodyId, Direction, DriverId, DriverKind, Force, ForceId, ForceKind, JointKind, Law, Mechanism,
@@ -21,6 +22,8 @@ pub struct AxleSuspension {
     /// Displacement of the rack (m), positive along the y axis of the model's own axes;
     /// `None` for an axle that does not steer.
     pub rack: Option<DriverId>,
+    /// The chassis that rolls above the road; `None` where it is the ground.
+    pub rolling: Option<Rolling>,
     /// Which height the travels prescribe.
     pub drive: Drive,
 }
@@ -79,9 +82,10 @@ impl Model {
             let [left, right] = models.map(|model| model.name.clone());
             return Err(SuspensionError::SidesDiffer { left, right, difference });
         }
-        let mut mechanism = Mechanism::new(&self.architecture.ground);
+        let (mut mechanism, rolling) = self.axle_ground(setup.chassis)?;
         mechanism.set_gravity([0.0, 0.0, 0.0 - self.loads.gravity])?;
-        let shared = self.add_shared_bodies(&mut mechanism)?;
+        let chassis = rolling.map_or(BodyId::GROUND, |rolling| rolling.body);
+        let shared = self.add_shared_bodies(&mut mechanism, chassis)?;
         let left = Half::add(models[0], &shared, &mut mechanism)?;
         let right = Half::add(models[1], &shared, &mut mechanism)?;
         let own = if self.side == Side::Left { &left } else { &right };
@@ -93,7 +97,7 @@ impl Model {
         {
             self.couple_arms(&mut mechanism, on_left, on_right)?;
         }
-        Ok(AxleSuspension { mechanism, sides, rack, drive: setup.drive })
+        Ok(AxleSuspension { mechanism, sides, rack, rolling, drive: setup.drive })
     }
 
     /// Whether anything but the tyres acts on the bodies of the axle.
@@ -101,12 +105,13 @@ impl Model {
         self.has_forces() || self.anti_roll_bar().is_some_and(|bar| bar.stiffness > 0.0)
     }
 
-    /// The numbers of the bodies that both sides have together, the ground first; others are `None`.
+    /// The numbers of the bodies that both sides have together, the chassis first; others are `None`.
     fn add_shared_bodies(
         &self,
         mechanism: &mut Mechanism,
+        chassis: BodyId,
     ) -> Result<Vec<Option<BodyId>>, MechanismError> {
-        let mut numbers = vec![Some(BodyId::GROUND)];
+        let mut numbers = vec![Some(chassis)];
         for (index, body) in self.architecture.bodies.iter().enumerate() {
             let id = BodyId(index + 1);
             numbers.push(None);
@@ -252,7 +257,8 @@ impl<'a> Half<'a> {
         force: &Force,
     ) -> Result<ForceId, MechanismError> {
         let kind = force.kind.clone().on_points(|point| self.point(point));
-        mechanism.add_force(name, self.body(force.i), self.body(force.j), kind)
+        let i = if is_from_ground(force) { BodyId::GROUND } else { self.body(force.i) };
+        mechanism.add_force(name, i, self.body(force.j), kind)
     }
 
     fn add_rack_driver(
@@ -264,7 +270,7 @@ impl<'a> Half<'a> {
         };
         let along = self.model.rack_direction();
         let kind = DriverKind::Displacement { at: self.point(at), along };
-        mechanism.add_driver("rack", BodyId::GROUND, self.body(rack), kind).map(Some)
+        mechanism.add_driver("rack", self.body(BodyId::GROUND), self.body(rack), kind).map(Some)
     }
 
     /// Adds all that is of this side alone.
@@ -318,7 +324,8 @@ impl<'a> Half<'a> {
         let arm = mechanism.add_body(&self.name("arb_arm"), origin)?;
         let axis = Direction::Fixed([0.0, 1.0, 0.0]);
         let bearing = JointKind::Revolute { at: self.point(pivot), axis };
-        mechanism.add_joint(&self.name("arb_bearing"), BodyId::GROUND, arm, bearing)?;
+        let chassis = self.body(BodyId::GROUND);
+        mechanism.add_joint(&self.name("arb_bearing"), chassis, arm, bearing)?;
         let link = JointKind::Link { on_i: self.point(link[0]), on_j: self.point(link[1]) };
         mechanism.add_joint(&self.name("arb_link"), arm, self.body(link_body), link)?;
         Ok(Some(arm))

@@ -106,7 +106,7 @@ fn note_mechanism(root: &mut Section, report: &mut Report) {
 }
 
 /// The name and the text of a file.
-fn read_file(path: &Path) -> Result<(String, String), ModelDiagnostics> {
+pub(super) fn read_file(path: &Path) -> Result<(String, String), ModelDiagnostics> {
     let name = path.display().to_string();
     match read_text(path) {
         Ok(text) => Ok((name, text)),

@@ -43,17 +43,23 @@ pub enum WheelSupport {
 }
 
 /// What the chassis does.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Chassis {
     /// It never moves.
     #[default]
     Fixed,
     /// It moves up and down with the mass of `[quarter_car]`.
     Slide,
+    /// It rolls above the road about an axis along x in the middle of the vehicle, y = 0, and heaves
+    /// with it. The rig drives both motions. Of an axle only.
+    Roll {
+        /// The height of the axis at the design position (m), in the coordinates of the points.
+        axis: f64,
+    },
 }
 
 /// How a suspension is set up.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Setup {
     /// Which height the travel driver prescribes.
     pub drive: Drive,
@@ -88,6 +94,9 @@ pub enum SuspensionError {
     /// [`Chassis::Slide`] of an axle.
     #[error("the chassis of an axle does not slide; fix it, or look at one side alone")]
     AxleSlides,
+    /// [`Chassis::Roll`] of a corner.
+    #[error("the chassis of one side alone does not roll; put both sides on the rig")]
+    CornerRolls,
     /// Two models that are not the sides of one axle.
     #[error(
         "`{left}` and `{right}` are not the two sides of one axle: {difference}; give both sides one \

@@ -69,6 +69,14 @@ pub struct StrutLine {
     pub ends: [(PointId, BodyId); 2],
 }
 
+/// Whether a force acts from the ground, whatever that is: loads and tyres do.
+pub(super) fn is_from_ground(force: &Force) -> bool {
+    matches!(
+        force.kind,
+        ForceKind::Tyre { .. } | ForceKind::PointForce { .. } | ForceKind::Moment { .. }
+    )
+}
+
 /// The numbers of bodies in the mechanism: with the chassis on a slide, the road is the ground
 /// and every body of the architecture stands one further on.
 #[derive(Clone, Copy)]
@@ -79,13 +87,8 @@ impl Numbering {
         BodyId(body.0 + self.0)
     }
 
-    /// The bodies of a force. Loads and tyres act from the ground, whatever that is.
     fn bodies(self, force: &Force) -> (BodyId, BodyId) {
-        let from_ground = matches!(
-            force.kind,
-            ForceKind::Tyre { .. } | ForceKind::PointForce { .. } | ForceKind::Moment { .. }
-        );
-        let i = if from_ground { BodyId::GROUND } else { self.body(force.i) };
+        let i = if is_from_ground(force) { BodyId::GROUND } else { self.body(force.i) };
         (i, self.body(force.j))
     }
 
@@ -103,6 +106,9 @@ impl Model {
     /// no meaning. A model straight from a file has been checked; one whose points were moved may fail.
     pub fn suspension(&self, setup: &Setup) -> Result<Suspension, SuspensionError> {
         let architecture = &self.architecture;
+        if let Chassis::Roll { .. } = setup.chassis {
+            return Err(SuspensionError::CornerRolls);
+        }
         let (mut mechanism, numbers) = self.ground(setup.chassis)?;
         for (index, body) in architecture.bodies.iter().enumerate() {
             let id = BodyId(index + 1);

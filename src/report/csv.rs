@@ -13,11 +13,13 @@ impl SweepReport<'_> {
         let mut csv = csv::Writer::from_writer(writer);
         let columns = self.columns();
         let headers = columns.iter().map(|column| column.header(self.units));
+        let headers = self.cases.map(|_| "case".to_owned()).into_iter().chain(headers);
         csv.write_record(headers).map_err(of_the_writer)?;
         for row in &self.sweep.rows {
             let fields = self.values(&columns, row).into_iter();
-            csv.write_record(fields.map(|value| value.map_or_else(String::new, |v| v.to_string())))
-                .map_err(of_the_writer)?;
+            let fields = fields.map(|value| value.map_or_else(String::new, |v| v.to_string()));
+            let fields = self.case(row).map(str::to_owned).into_iter().chain(fields);
+            csv.write_record(fields).map_err(of_the_writer)?;
         }
         csv.flush()
     }

@@ -45,6 +45,9 @@ impl SweepReport<'_> {
                     .zip(self.values(&shown, row))
                     .map(|(name, value)| (name.clone(), json!(value)))
                     .collect();
+                if let Some(case) = self.case(row) {
+                    object.insert("case".into(), json!(case));
+                }
                 object.insert("newton_iterations".into(), json!(row.iterations));
                 object.insert("relative_residual".into(), json!(row.relative_residual));
                 Value::Object(object)

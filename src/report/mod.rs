@@ -14,8 +14,8 @@ pub use settle::{SettleReport, SettleRow};
 pub use statics::StaticsReport;
 
 use crate::factors::{Convention, Definition, Factor, basic};
-use crate::model::{Axes, Drive, Quantity, Side, Units};
-use crate::rig::{Event, Row, Sweep, SweepPlan};
+use crate::model::{Axes, Drive, LoadCases, Quantity, Side, Units};
+use crate::rig::{Event, Row, Sweep, SweepPlan, Vertical};
 
 /// A sweep and all that is needed to show it.
 #[derive(Clone, Copy)]
@@ -34,8 +34,10 @@ pub struct SweepReport<'a> {
     pub drive: Option<Drive>,
     /// The quantity of the value that changes.
     pub quantity: Quantity,
-    /// What was asked for.
-    pub plan: &'a SweepPlan,
+    /// What was asked for, where that is an event.
+    pub plan: Option<&'a SweepPlan>,
+    /// What was asked for, where that are cases.
+    pub cases: Option<&'a LoadCases>,
     /// What came of it.
     pub sweep: &'a Sweep,
     /// Whether forces and moments of joints are shown.
@@ -66,6 +68,8 @@ enum From {
     Factor(&'static Factor, usize),
     /// The value of the plan.
     Plan,
+    /// A column of the cases.
+    Case(usize),
     Channel(usize),
 }
 
@@ -80,23 +84,8 @@ impl SweepReport<'_> {
     /// The columns: the load that changes, the factors that the suspension has, then what force
     /// elements and, where they are asked for, joints carry.
     fn columns(&self) -> Vec<Column> {
-        let mut columns = vec![];
-        let event = self.plan.event;
-        // Travel and rack are factors.
-        if !matches!(event, Event::Travel | Event::Opposite | Event::Single(_) | Event::Steer) {
-            columns.push(Column {
-                name: self.event.replace(' ', "_"),
-                title: self.event.into(),
-                quantity: self.quantity,
-                sign: match event {
-                    Event::Driver(_) => "+ as the driver is defined".into(),
-                    _ => "+ along the model's axis".into(),
-                },
-                formula: "what the event changes".into(),
-                source: "input".into(),
-                from: From::Plan,
-            });
-        }
+        let mut columns: Vec<Column> =
+            self.plan.and_then(|plan| self.input(plan)).into_iter().collect();
         if let [left, right] = self.sides {
             columns.extend(self.factors("", 0, Factor::is_of_axle));
             for (wheel, side) in [left, right].into_iter().enumerate() {
@@ -104,6 +93,11 @@ impl SweepReport<'_> {
             }
         } else {
             columns.extend(self.factors("", 0, |_| true));
+        }
+        if let Some(cases) = self.cases {
+            let is_shown = |column: &Column| columns.iter().any(|shown| shown.name == column.name);
+            let inputs = case_columns(cases).filter(|column| !is_shown(column));
+            columns = inputs.collect::<Vec<_>>().into_iter().chain(columns).collect();
         }
         let joints = match (self.reactions, self.factors) {
             (true, _) => usize::MAX,
@@ -121,6 +115,38 @@ impl SweepReport<'_> {
             from: From::Channel(index),
         }));
         columns
+    }
+
+    /// The column of what an event changes; travel and rack are factors, so they need none.
+    fn input(&self, plan: &SweepPlan) -> Option<Column> {
+        let sign = match plan.event {
+            Event::Travel | Event::Opposite | Event::Single(_) => match plan.held.vertical {
+                Vertical::Travel => return None,
+                _ => "+ up on the wheel".into(),
+            },
+            Event::Steer => return None,
+            Event::Driver(_) => "+ as the driver is defined".into(),
+            Event::Roll => {
+                let forward = self.axes.to_iso([1.0, 0.0, 0.0])[0] > 0.0;
+                let rises = if forward { Side::Left } else { Side::Right }.name();
+                format!("+ right-handed about the model's +x: the {rises} side of the body rises")
+            }
+            _ => "+ along the model's axis".into(),
+        };
+        Some(Column {
+            name: self.event.replace(' ', "_"),
+            title: self.event.into(),
+            quantity: self.quantity,
+            sign,
+            formula: "what the event changes".into(),
+            source: "input".into(),
+            from: From::Plan,
+        })
+    }
+
+    /// The name of the case of a row.
+    fn case(&self, row: &Row) -> Option<&str> {
+        Some(&self.cases?.cases.get(row.case?)?.name)
     }
 
     /// The factors of a wheel; a side stands before their names.
@@ -183,10 +209,27 @@ impl SweepReport<'_> {
                 factor.show_by(self.convention, units, row.poses.get(wheel)?)
             }
             From::Plan => Some(column.quantity.show(units, row.value)),
+            From::Case(index) => {
+                let value = self.cases?.cases.get(row.case?)?.values[index]?;
+                Some(column.quantity.show(units, value))
+            }
             From::Channel(channel) => Some(column.quantity.show(units, row.channels[channel])),
         };
         columns.iter().map(|column| value(column).map(rounded)).collect()
     }
+}
+
+/// The columns of a file of cases, as its user wrote them.
+fn case_columns(cases: &LoadCases) -> impl Iterator<Item = Column> {
+    cases.columns.iter().enumerate().map(|(index, column)| Column {
+        name: column.name.clone(),
+        title: column.name.replace('_', " "),
+        quantity: column.input.quantity(),
+        sign: column.input.sign().into(),
+        formula: "what the case asks for".into(),
+        source: "input".into(),
+        from: From::Case(index),
+    })
 }
 
 fn rounded(value: f64) -> f64 {

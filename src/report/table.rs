@@ -20,22 +20,27 @@ impl SweepReport<'_> {
         writeln!(writer)?;
         // Names in two lines keep the columns narrow: wheel_center_x becomes `wheel center_x`.
         let columns = self.columns();
-        let heads: Vec<(&str, String)> = columns
-            .iter()
-            .map(|column| match column.name.split_once('_') {
+        let case = self.cases.map(|_| ("", "case".to_owned()));
+        let heads: Vec<(&str, String)> = case
+            .into_iter()
+            .chain(columns.iter().map(|column| match column.name.split_once('_') {
                 Some((first, rest)) => (first, rest.to_owned()),
                 None => ("", column.name.clone()),
-            })
+            }))
             .collect();
         let cells: Vec<Vec<String>> = self
             .sweep
             .rows
             .iter()
-            .map(|row| self.values(&columns, row).into_iter().map(cell).collect())
+            .map(|row| {
+                let name = self.case(row).map(str::to_owned);
+                name.into_iter().chain(self.values(&columns, row).into_iter().map(cell)).collect()
+            })
             .collect();
-        let symbols: Vec<String> =
-            columns.iter().map(|column| column.quantity.symbol(units)).collect();
-        let widths: Vec<usize> = (0..columns.len())
+        let blank = self.cases.map(|_| String::new());
+        let symbols = columns.iter().map(|column| column.quantity.symbol(units));
+        let symbols: Vec<String> = blank.into_iter().chain(symbols).collect();
+        let widths: Vec<usize> = (0..heads.len())
             .map(|k| {
                 let values = cells.iter().map(|row| row[k].chars().count());
                 let head = [heads[k].0, &heads[k].1, &symbols[k]].map(|word| word.chars().count());

@@ -1,19 +1,21 @@
 //! An axle on the rig.
 
-use super::channel::Channel;
+use super::channel::{Channel, heave_channel};
 use super::corner::RigError;
+use super::hold::Hold;
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::Pose;
 use super::stand::Stand;
 use super::station::Station;
-use super::sweep::{Specimen, SweepPlan};
+use super::sweep::Specimen;
+use super::target::{Supports, Target};
 use crate::mechanism::Force;
-use crate::model::{AxleSide, AxleSuspension, Model, Setup, Side, WheelSupport};
+use crate::model::{AxleSide, AxleSuspension, Model, Rolling, Setup, Side, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop};
 
-/// Both wheels of an axle on the rig, the chassis fixed.
+/// Both wheels of an axle on the rig, the chassis fixed, or rolled and heaved by the rig.
 ///
 /// The heights of the wheels and the rack are driven, or the wheels stand on their tyres. Where the
 /// model has forces, every state is one of static equilibrium. Pairs of values are left, right.
@@ -82,10 +84,13 @@ impl Axle {
             WheelSupport::Free => suspension.sides.map(|part| part.travel).to_vec(),
         };
         let stand = Stand::new(suspension.mechanism.clone(), &released, axes)?;
-        let elements = match loads {
-            Some(_) => stand.model_channels(own_forces, &suspension.sides.map(|part| part.travel)),
-            None => vec![],
-        };
+        let mut elements = vec![];
+        if loads.is_some() {
+            let heave = suspension.rolling.map(|rolling| rolling.body);
+            elements.extend(heave.map(|chassis| heave_channel(stand.mechanism(), chassis)));
+            let travels = suspension.sides.map(|part| part.travel);
+            elements.extend(stand.model_channels(own_forces, &travels));
+        }
         let station = |side| Station::of_axle(&suspension, side, model, setup);
         Ok(Self {
             stations: [station(Side::Left), station(Side::Right)],
@@ -159,10 +164,24 @@ impl Axle {
     /// # Errors
     /// [`Stop`] where the mechanism cannot go on or has no equilibrium. It then stays where it got to.
     pub fn move_to(&mut self, travel: [f64; 2], rack: f64) -> Result<StepReport, Stop> {
-        let sides = self.suspension.sides.iter().zip(travel);
-        let mut targets: Vec<_> = sides.map(|(part, travel)| (part.travel, travel)).collect();
-        targets.extend(self.suspension.rack.map(|driver| (driver, rack)));
-        self.stand.move_to(&targets)
+        self.hold(&Target { wheels: travel.map(Hold::Value), rack, ..Target::default() })
+    }
+
+    /// As [`Self::move_to`], with wheels that are held by vertical forces (N, positive up on the wheel)
+    /// where the target says so, and with the chassis rolled and heaved where it can be. The loads of
+    /// the target play no part.
+    ///
+    /// # Errors
+    /// As for [`Self::move_to`], and where no travel or heave has the forces.
+    pub fn hold(&mut self, target: &Target) -> Result<StepReport, Stop> {
+        let AxleSuspension { sides, rack, rolling, .. } = &self.suspension;
+        let wheels = sides.iter().zip(target.wheels);
+        let mut targets: Vec<_> = wheels.map(|(part, hold)| (part.travel, hold)).collect();
+        targets.extend(rack.map(|driver| (driver, Hold::Value(target.rack))));
+        if let Some(Rolling { roll, heave, .. }) = *rolling {
+            targets.extend([(roll, Hold::Value(target.roll)), (heave, target.heave)]);
+        }
+        self.stand.hold(&targets)
     }
 
     /// Lets the axle find its equilibrium at the current travels and rack.
@@ -225,10 +244,17 @@ impl Axle {
 }
 
 impl Specimen for Axle {
-    fn go_to(&mut self, plan: &SweepPlan, value: f64) -> Result<StepReport, Stop> {
-        let target = plan.target(value);
+    fn go_to(&mut self, target: &Target) -> Result<StepReport, Stop> {
         self.set_load(&target.load);
-        self.move_to(target.travel, target.rack)
+        self.hold(target)
+    }
+
+    fn supports(&self) -> Supports {
+        let AxleSuspension { sides, rolling, .. } = &self.suspension;
+        Supports {
+            wheels: sides.map(|part| self.stand.driver_force(part.travel)),
+            chassis: rolling.map_or(0.0, |rolling| self.stand.driver_force(rolling.heave)),
+        }
     }
 
     fn reset(&mut self) {

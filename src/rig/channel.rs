@@ -31,6 +31,8 @@ enum Source {
     BodyPosition { body: BodyId, axis: usize },
     /// An angle of a body's rotation from design.
     BodyRotation { body: BodyId, axis: usize },
+    /// How far a body's origin has risen from a height.
+    BodyRise { body: BodyId, from: f64 },
     /// λ of a constraint times a factor.
     Driver { equation: usize },
     /// λ of a force element times a factor.
@@ -73,6 +75,7 @@ impl Channel {
                 let turned = axes.rotation_from_iso(rotation(loaded.state, body));
                 rotation_angles(turned)[axis]
             }
+            Source::BodyRise { body, from } => loaded.state[body.index()][2] - from,
             Source::Driver { equation } => -loaded.lambda[equation],
             Source::JointForce { joint, axis } => axes.from_iso(reactions[joint].on_j.force)[axis],
             Source::JointMoment { joint, axis } => {
@@ -202,6 +205,19 @@ pub fn body_channels(mechanism: &Mechanism) -> Vec<Channel> {
         }
     }
     channels
+}
+
+/// How far a chassis that rolls has heaved.
+pub fn heave_channel(mechanism: &Mechanism, chassis: BodyId) -> Channel {
+    let from = mechanism.bodies()[chassis.index()].origin[2];
+    Channel {
+        name: "heave".into(),
+        title: "heave, rise of the roll axis".into(),
+        quantity: Quantity::Length,
+        sign: "+ up",
+        source: Source::BodyRise { body: chassis, from },
+        force: None,
+    }
 }
 
 /// The force or moment that holds each driver that is not released.

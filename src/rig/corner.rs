@@ -3,11 +3,13 @@
 use thiserror::Error;
 
 use super::channel::Channel;
+use super::hold::Hold;
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::Pose;
 use super::stand::Stand;
 use super::station::Station;
-use super::sweep::{Specimen, SweepPlan};
+use super::sweep::Specimen;
+use super::target::{Supports, Target};
 use crate::mechanism::{Force, MechanismError};
 use crate::model::{Model, Setup, Suspension, SuspensionError, WheelSupport};
 use crate::relation::Coordinates;
@@ -146,9 +148,18 @@ impl Corner {
     /// # Errors
     /// [`Stop`] where the mechanism cannot go on or has no equilibrium. It then stays where it got to.
     pub fn move_to(&mut self, travel: f64, rack: f64) -> Result<StepReport, Stop> {
-        let mut targets = vec![(self.suspension.travel, travel)];
-        targets.extend(self.suspension.rack.map(|driver| (driver, rack)));
-        self.stand.move_to(&targets)
+        self.hold(Hold::Value(travel), rack)
+    }
+
+    /// As [`Self::move_to`], with the wheel held at a travel or by a vertical force (N, positive up on
+    /// the wheel).
+    ///
+    /// # Errors
+    /// As for [`Self::move_to`], and where no travel has the force.
+    pub fn hold(&mut self, wheel: Hold, rack: f64) -> Result<StepReport, Stop> {
+        let mut targets = vec![(self.suspension.travel, wheel)];
+        targets.extend(self.suspension.rack.map(|driver| (driver, Hold::Value(rack))));
+        self.stand.hold(&targets)
     }
 
     /// Lets the corner find its equilibrium at the current travel and rack.
@@ -195,11 +206,16 @@ impl Corner {
 }
 
 impl Specimen for Corner {
-    fn go_to(&mut self, plan: &SweepPlan, value: f64) -> Result<StepReport, Stop> {
-        let target = plan.target(value);
+    fn go_to(&mut self, target: &Target) -> Result<StepReport, Stop> {
         let side = self.station.side.index();
         self.set_load(&target.load[side]);
-        self.move_to(target.travel[side], target.rack)
+        self.hold(target.wheels[side], target.rack)
+    }
+
+    fn supports(&self) -> Supports {
+        // The wheel of the other side is not there; it takes part in no event.
+        let force = self.stand.driver_force(self.suspension.travel);
+        Supports { wheels: [force; 2], chassis: 0.0 }
     }
 
     fn reset(&mut self) {

@@ -3,7 +3,7 @@
 use crate::mechanism::{
     BodyId, ForceId, ForceKind, Law, LoadFrame, Mechanism, MechanismError, Owner,
 };
-use crate::model::{self, Axes};
+use crate::model::{self, Axes, LOAD_COMPONENTS};
 use crate::solve::equilibrium::Equilibrium;
 use crate::vector::{add, scale, sub, unit};
 
@@ -33,9 +33,6 @@ pub struct Load {
     /// Fx, Fy, Fz, Mx, My, Mz.
     pub components: [f64; 6],
 }
-
-/// The names of the components of a load.
-pub const LOAD_COMPONENTS: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
 
 /// The force elements by which the rig loads a wheel.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! The virtual test rig: a corner or an axle of a vehicle, moved by its wheels and its rack.
 //!
-//! The chassis is fixed. [`Corner`] and [`Axle`] drive wheels up and down and the rack
+//! The chassis is fixed, or the rig rolls that of an axle. [`Corner`] and [`Axle`] drive wheels up and down and the rack
 //! from side to side; [`Sweep`] does so along an event and keeps what was reached.
 //! [`Compliance`] says how wheels that the rig lets go give way to loads.
 
@@ -8,19 +8,24 @@ mod axle;
 mod channel;
 mod compliance;
 mod corner;
+mod hold;
 mod line;
 mod load;
 mod pose;
 mod stand;
 mod station;
 mod sweep;
+mod target;
 
+pub use crate::model::LOAD_COMPONENTS;
 pub use axle::Axle;
 pub use channel::Channel;
 pub use compliance::Compliance;
 pub use corner::{Corner, RigError};
+pub use hold::Hold;
 pub use line::{Line, Wheel};
-pub use load::{LOAD_COMPONENTS, Load, LoadPoint};
+pub use load::{Load, LoadPoint};
 pub use pose::{Design, Motion, Motions, OtherWheel, Pose, TyreState, WheelCompliance, WheelLoad};
 pub use stand::Stand;
-pub use sweep::{Event, Held, Row, Specimen, Sweep, SweepPlan, Target};
+pub use sweep::{Missed, Row, Specimen, Sweep};
+pub use target::{Event, Held, Supports, SweepPlan, Target, Vertical};

@@ -5,11 +5,12 @@ use super::channel::{
 };
 use super::corner::RigError;
 use super::pose::Pose;
-use super::sweep::{Event, Specimen, SweepPlan};
+use super::sweep::Specimen;
+use super::target::Target;
 use crate::mechanism::{DriverId, Mechanism};
 use crate::model::Axes;
 use crate::relation::Coordinates;
-use crate::solve::equilibrium::Equilibrium;
+use crate::solve::equilibrium::{DriverTangent, Equilibrium};
 use crate::solve::{
     FreedomReport, StaticFailure, StaticReport, StepReport, Stop, System, Tangent, Tolerances,
 };
@@ -111,8 +112,12 @@ impl Stand {
     /// `None` where the equilibrium is not isolated.
     pub fn driver_rate(&mut self, driver: DriverId) -> Option<f64> {
         let equation = self.equilibrium.equation_of(driver);
-        let tangent = self.equilibrium.driver_tangent(driver).ok()?;
-        Some(-tangent.multiplier(equation))
+        Some(-self.driver_tangent(driver)?.multiplier(equation))
+    }
+
+    /// How the equilibrium changes with the value of a driver; `None` where it is not isolated.
+    pub(super) fn driver_tangent(&mut self, driver: DriverId) -> Option<DriverTangent<'_>> {
+        self.equilibrium.driver_tangent(driver).ok()
     }
 
     /// How all bodies move per unit (m or rad) of a driver, the other drivers held: as the joints
@@ -247,12 +252,9 @@ impl Stand {
 }
 
 impl Specimen for Stand {
-    fn go_to(&mut self, plan: &SweepPlan, value: f64) -> Result<StepReport, Stop> {
-        match plan.event {
-            Event::Driver(driver) => self.move_to(&[(driver, value)]),
-            // Travel, rack and wheel loads belong to corners and axles.
-            _ => Ok(StepReport::default()),
-        }
+    fn go_to(&mut self, target: &Target) -> Result<StepReport, Stop> {
+        // Wheels, rack and chassis belong to corners and axles.
+        target.driver.map_or_else(|| Ok(StepReport::default()), |target| self.move_to(&[target]))
     }
 
     fn reset(&mut self) {

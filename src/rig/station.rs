@@ -5,12 +5,12 @@ use super::pose::{Design, Motion, Motions, Pose, TyreState, WheelLoad};
 use super::stand::Stand;
 use crate::mechanism::{BodyId, DriverId, ForceId, Law, Mechanism, PointId};
 use crate::model::{
-    self, Axes, AxleSuspension, Drive, Model, Setup, Side, SteerAxis, StrutLine, Suspension,
-    Vehicle, WheelSupport,
+    self, Axes, AxleSuspension, Chassis, Drive, Model, Setup, Side, SteerAxis, StrutLine,
+    Suspension, Vehicle, WheelSupport,
 };
 use crate::relation::Coordinates;
 use crate::solve::{FreeMotion, point_position, rotation};
-use crate::vector::{add, dot};
+use crate::vector::{add, dot, sub};
 
 /// A wheel with its parts, as the mechanism on the rig numbers them.
 #[derive(Clone, Debug)]
@@ -29,6 +29,7 @@ pub(super) struct Station {
     pub chassis: BodyId,
     drive: Drive,
     support: WheelSupport,
+    rolls: bool,
     vehicle: Vehicle,
     axes: Axes,
     /// The law of the model's tyre, whether or not the wheel stands on it.
@@ -51,16 +52,18 @@ impl Station {
             chassis: suspension.chassis,
             drive: setup.drive,
             support: setup.support,
+            rolls: false,
             vehicle: model.vehicle,
             axes: model.axes,
             tyre_law: model.tyre_law().cloned(),
         }
     }
 
-    /// One wheel of an axle, whose chassis is the ground.
+    /// One wheel of an axle, whose chassis is the ground or rolls above it.
     pub fn of_axle(suspension: &AxleSuspension, side: Side, model: &Model, setup: &Setup) -> Self {
         let part = &suspension.sides[side.index()];
         let other = &suspension.sides[1 - side.index()];
+        let chassis = suspension.rolling.map_or(BodyId::GROUND, |rolling| rolling.body);
         Self {
             side: part.side,
             wheel: part.wheel,
@@ -71,9 +74,10 @@ impl Station {
             other_travel: Some(other.travel),
             rack: suspension.rack,
             tyre: part.tyre,
-            chassis: BodyId::GROUND,
+            chassis,
             drive: setup.drive,
             support: setup.support,
+            rolls: matches!(setup.chassis, Chassis::Roll { .. }),
             vehicle: model.vehicle,
             axes: model.axes,
             tyre_law: model.tyre_law().cloned(),
@@ -109,14 +113,11 @@ impl Station {
             spin: rotation.map(|row| dot(row, wheel.spin_axis)),
             radius: wheel.radius,
         };
-        let height = |wheel: &Wheel<f64>| match self.drive {
-            Drive::WheelCenter => wheel.center[2],
-            Drive::ContactPatch => wheel.contact_patch()[2],
-        };
         Pose {
             travel: match self.support {
+                _ if self.rolls => self.travel_in_body(mechanism, state, &disc),
                 WheelSupport::Held => driven(self.travel),
-                WheelSupport::Free => height(&disc) - height(&design.wheel),
+                WheelSupport::Free => self.driven(&disc)[2] - self.driven(&design.wheel)[2],
             },
             rack: self.rack.map_or(0.0, driven),
             wheel: disc,
@@ -136,7 +137,35 @@ impl Station {
         }
     }
 
-    /// The design position, carried along with the chassis of a state.
+    /// The point of a wheel whose height the driver prescribes.
+    fn driven(&self, wheel: &Wheel<f64>) -> [f64; 3] {
+        match self.drive {
+            Drive::WheelCenter => wheel.center,
+            Drive::ContactPatch => wheel.contact_patch(),
+        }
+    }
+
+    /// How far the wheel has gone up from design in the axes of the chassis, which rolls.
+    fn travel_in_body(
+        &self,
+        mechanism: &Mechanism,
+        state: &[Coordinates<f64>],
+        wheel: &Wheel<f64>,
+    ) -> f64 {
+        let body = self.chassis;
+        let design = Wheel {
+            center: mechanism.points()[self.wheel.center.index()].position,
+            spin: self.wheel.spin_axis,
+            radius: self.wheel.radius,
+        };
+        let [x, y, z, ..] = state[body.index()];
+        let up = rotation(state, body).map(|row| row[2]);
+        let height = self.driven(&design)[2] - mechanism.bodies()[body.index()].origin[2];
+        dot(up, sub(self.driven(wheel), [x, y, z])) - height
+    }
+
+    /// The design position, carried up and down with the chassis of a state, but not rolled: angles and
+    /// ways are those from the design position in ground axes, as Lotus prints them in roll.
     fn design(&self, mechanism: &Mechanism, state: &[Coordinates<f64>]) -> Design<f64> {
         let Self { wheel, spring, damper, chassis, .. } = self;
         let origin = mechanism.bodies()[chassis.index()].origin;

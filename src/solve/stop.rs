@@ -49,6 +49,21 @@ pub enum StopReason {
     },
     /// The mechanism is held, but its forces have no equilibrium.
     NoEquilibrium(StaticFailure),
+    /// No value of the drivers that are held by forces has these forces.
+    NoForce(Vec<Carried>),
+}
+
+/// What a driver that is held by a force carried when the mechanism stopped.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Carried {
+    /// Name of the driver.
+    pub driver: String,
+    /// Unit of both values: `N` or `N·m`.
+    pub unit: &'static str,
+    /// The force or moment that was reached.
+    pub force: f64,
+    /// The one that was asked for.
+    pub target: f64,
 }
 
 /// Where one driver was when the mechanism stopped.
@@ -93,6 +108,20 @@ impl Stop {
     ) -> Self {
         let reached = on_the_way(mechanism, ways.iter().copied());
         Self { reached, reason: StopReason::NoEquilibrium(failure) }
+    }
+
+    /// No values of drivers have the forces that are asked for. `forces` lists drivers with what they
+    /// carry and their targets.
+    pub fn no_force(
+        mechanism: &Mechanism,
+        forces: impl Iterator<Item = (DriverId, f64, f64)>,
+    ) -> Self {
+        let carried = forces.map(|(driver, force, target)| {
+            let driver = &mechanism.drivers()[driver.index()];
+            let unit = if driver.kind.unit() == "rad" { "N·m" } else { "N" };
+            Carried { driver: driver.name.clone(), unit, force, target }
+        });
+        Self { reached: vec![], reason: StopReason::NoForce(carried.collect()) }
     }
 }
 
@@ -160,6 +189,18 @@ impl fmt::Display for StopReason {
                 write!(f, "driver {driver} was given a value that is not a finite number")
             }
             Self::NoEquilibrium(failure) => write!(f, "{failure}"),
+            Self::NoForce(carried) => {
+                for (index, Carried { driver, unit, force, target }) in carried.iter().enumerate() {
+                    let start = if index == 0 { "stopped at" } else { " and" };
+                    let (force, target) = (plain(*force), plain(*target));
+                    write!(f, "{start} {force} {unit} at {driver} on the way to {target} {unit}")?;
+                }
+                write!(
+                    f,
+                    ": no position near the last one carries this; ask for less, or check springs \
+                     and stops"
+                )
+            }
         }
     }
 }

@@ -1,11 +1,13 @@
 //! The events of corners and axles, by their names on the command line.
 
-use clap::ValueEnum;
-use hardpoint::model::{Quantity, Side};
-use hardpoint::rig::{Event, LOAD_COMPONENTS};
+use clap::{Args, ValueEnum};
+use hardpoint::model::{Quantity, Side, Units};
+use hardpoint::rig::{Event, LOAD_COMPONENTS, Supports, Vertical};
 
 use crate::failure::Failure;
 use crate::loads;
+
+use std::f64::consts::PI;
 
 /// What changes.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -22,6 +24,14 @@ pub enum EventName {
     Right,
     /// The rack moves from side to side.
     Steer,
+    /// The body of an axle rolls about the static roll centre, its height held; the wheels stay on the
+    /// ground (Lotus' roll).
+    Roll,
+    /// The body of an axle rolls and heaves so that the load of the axle stays what it is without roll
+    /// (Adams' roll and vertical force).
+    RollLoad,
+    /// The wheels go up and down at each of several rack displacements; see --over.
+    Envelope,
     /// One component of the load on the wheel grows.
     Load,
 }
@@ -53,22 +63,118 @@ pub struct Course {
     pub name: String,
 }
 
+/// What holds the wheels vertically.
+#[derive(Args)]
+pub struct VerticalOptions {
+    /// What holds the wheels vertically, and what the values of travel events are [default: travel].
+    #[arg(long, value_enum)]
+    vertical: Option<VerticalName>,
+    /// Vertical force on each wheel that is held by a force [default: that at the held travel].
+    #[arg(long, value_name = "F", allow_negative_numbers = true)]
+    wheel_force: Option<f64>,
+}
+
+/// What holds the wheels vertically.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum VerticalName {
+    /// Their travels.
+    Travel,
+    /// Vertical forces of the rig on the wheels, constant where they do not change.
+    Force,
+    /// The same; the values of travel events are changes of the forces.
+    ForceChange,
+}
+
+impl VerticalOptions {
+    /// Whether forces hold the wheels.
+    pub fn is_force(&self) -> bool {
+        self.vertical.is_some_and(|name| name != VerticalName::Travel)
+    }
+
+    /// Whether an option was given.
+    pub fn given(&self) -> Option<&'static str> {
+        let given = [
+            (self.vertical.is_some(), "--vertical"),
+            (self.wheel_force.is_some(), "--wheel-force"),
+        ];
+        given.into_iter().find(|(given, _)| *given).map(|(_, option)| option)
+    }
+
+    /// Refuses what does not belong to the event or the model.
+    pub fn check(&self, event: EventName, has_forces: bool) -> Result<(), Failure> {
+        let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
+        if self.wheel_force.is_some_and(|force| !force.is_finite()) {
+            return usage("--wheel-force is not a finite number");
+        }
+        if !self.is_force() {
+            return match self.wheel_force {
+                Some(_) => usage("--wheel-force belongs to --vertical force or force-change"),
+                None => Ok(()),
+            };
+        }
+        if !has_forces {
+            return usage(
+                "no force holds the wheels of a model without forces; add [[forces]] to the model",
+            );
+        }
+        if matches!(event, EventName::Roll | EventName::RollLoad) {
+            return usage(
+                "in roll the wheels stay at their heights; leave out --vertical, or choose roll-load",
+            );
+        }
+        Ok(())
+    }
+
+    /// What holds the wheels, from the forces at the held travel.
+    pub fn vertical(&self, supports: &Supports, units: Units) -> Vertical {
+        let force = self.wheel_force.map(|force| [Quantity::Force.to_si(units, force); 2]);
+        let forces = force.unwrap_or(supports.wheels);
+        match self.vertical {
+            None | Some(VerticalName::Travel) => Vertical::Travel,
+            Some(VerticalName::Force) => Vertical::Force(forces),
+            Some(VerticalName::ForceChange) => Vertical::ForceChange(forces),
+        }
+    }
+}
+
 impl Course {
+    /// The course of wheels that forces hold: the values of travel events are forces. Those that are not
+    /// changes from what is held have no range of their own.
+    pub fn held(self, vertical: &VerticalOptions, ranged: bool) -> Result<Self, Failure> {
+        let event = self.event;
+        let moves = matches!(event, Event::Travel | Event::Opposite | Event::Single(_));
+        if !moves || !vertical.is_force() {
+            return Ok(self);
+        }
+        let changes =
+            event == Event::Opposite || vertical.vertical == Some(VerticalName::ForceChange);
+        if !changes && !ranged {
+            return Err(Failure::Usage(
+                "say the range of the wheel force with --from and --to".into(),
+            ));
+        }
+        let what = if changes { "force change" } else { "force" };
+        let name = match self.name.strip_suffix("travel") {
+            Some(before) => format!("{before}{what}"),
+            None => what.to_owned(),
+        };
+        Ok(Self { quantity: Quantity::Force, range: 1000.0, step: 100.0, name, event })
+    }
+
     /// The event of a corner. A load event changes the component `vary`.
     pub fn of_corner(event: EventName, vary: Option<&str>) -> Result<Self, Failure> {
         match event {
-            EventName::Travel => Ok(Self::travel(Event::Travel, "travel")),
+            EventName::Travel | EventName::Envelope => Ok(Self::travel(Event::Travel, "travel")),
             EventName::Steer => Ok(Self::steer()),
             EventName::Load => {
                 let (component, name) = component(vary)?;
                 Ok(Self::load(Event::Load(component), component, format!("load {name}")))
             }
-            EventName::Parallel | EventName::Opposite | EventName::Left | EventName::Right => {
-                Err(Failure::Usage(
-                    "parallel, opposite, left and right are events of both wheels; add --axle"
-                        .into(),
-                ))
-            }
+            _ => Err(Failure::Usage(
+                "parallel, opposite, left, right, roll and roll-load are events of both wheels; \
+                 add --axle"
+                    .into(),
+            )),
         }
     }
 
@@ -79,13 +185,17 @@ impl Course {
         wheels: Option<Wheels>,
     ) -> Result<Self, Failure> {
         Ok(match event {
-            EventName::Travel | EventName::Parallel => {
+            EventName::Travel | EventName::Parallel | EventName::Envelope => {
                 Self::travel(Event::Travel, "parallel travel")
             }
             EventName::Opposite => Self::travel(Event::Opposite, "opposite travel"),
             EventName::Left => Self::travel(Event::Single(Side::Left), "left travel"),
             EventName::Right => Self::travel(Event::Single(Side::Right), "right travel"),
             EventName::Steer => Self::steer(),
+            EventName::Roll | EventName::RollLoad => {
+                let (event, quantity, name) = (Event::Roll, Quantity::Angle, "roll".to_owned());
+                Self { event, quantity, range: PI / 60.0, step: PI / 360.0, name }
+            }
             EventName::Load => {
                 let (component, name) = component(vary)?;
                 let (event, wheels) = match wheels.unwrap_or(Wheels::Parallel) {

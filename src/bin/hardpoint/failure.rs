@@ -4,7 +4,7 @@ use std::io::{self, IsTerminal as _};
 use std::process::ExitCode;
 
 use hardpoint::model::{Axes, ModelDiagnostics};
-use hardpoint::rig::RigError;
+use hardpoint::rig::{Missed, RigError};
 use hardpoint::solve::compliance::ComplianceError;
 use hardpoint::solve::dynamics::DynamicsFailure;
 use hardpoint::solve::{StaticFailure, Stop};
@@ -26,6 +26,8 @@ pub enum Failure {
     Motion(String, DynamicsFailure, Axes),
     /// The mechanism stopped during an event.
     Stopped(Vec<Stop>, String),
+    /// States of an event or cases that were not reached.
+    Missed(Vec<Missed>, String),
     /// A file or pipe that cannot be written; says which.
     Output(String, io::Error),
     /// Options that do not fit together.
@@ -60,6 +62,13 @@ impl Failure {
             Self::Stopped(stops, rows) => {
                 for stop in stops {
                     eprintln!("{stop}");
+                }
+                eprintln!("{rows}");
+                ExitCode::from(3)
+            }
+            Self::Missed(missed, rows) => {
+                for missed in missed {
+                    eprintln!("{missed}");
                 }
                 eprintln!("{rows}");
                 ExitCode::from(3)

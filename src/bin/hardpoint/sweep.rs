@@ -1,27 +1,34 @@
 //! `hardpoint sweep`: an event, state by state.
 
+mod cases;
+mod over;
+mod plan;
+
 use std::path::PathBuf;
 
 use clap::Args;
-use hardpoint::factors::{self, Convention, Factor, Need};
+use hardpoint::factors::{self, Convention, Factor, Need, roll_axis};
 use hardpoint::mechanism::DriverId;
 use hardpoint::model::{
-    Axes, Chassis, Document, MechanismModel, Model, Quantity, Side, Units, WheelSupport,
+    Axes, Chassis, Document, MechanismModel, Model, Quantity, Setup, Side, WheelSupport,
 };
 use hardpoint::report::SweepReport;
-use hardpoint::rig::{self, Axle, Corner, Held, Specimen, Stand, SweepPlan};
+use hardpoint::rig::{
+    self, Axle, Corner, Held, Hold, Load, LoadPoint, Specimen, Stand, Supports, SweepPlan,
+};
+use hardpoint::solve::Stop;
 
-use crate::events::{Course, EventName, Wheels};
+use crate::events::{EventName, VerticalOptions, Wheels};
 use crate::failure::Failure;
 use crate::load;
-use crate::loads::{FARTHEST, RigOptions};
+use crate::loads::RigOptions;
 use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
 use crate::progress::Progress;
+use over::Over;
+use plan::check_states;
 
-/// More states than this are a mistake in the step.
-const MOST_STATES: f64 = 1e6;
-
-/// Move wheels, the rack, a load or a driver through an event and list every state.
+/// Move wheels, the rack, the body, a load or a driver through an event, or go through cases of a file,
+/// and list every state.
 ///
 /// Lengths, angles and forces are in the units of the model, measured from the design position. Where
 /// the model has forces, every state is one of static equilibrium, and the table has the wheel
@@ -30,7 +37,16 @@ const MOST_STATES: f64 = 1e6;
 #[command(after_help = "\
 Signs: travel + jounce; rack + along the model's +y; toe + toe-in; camber + top outboard;
 caster + top rearward; kingpin inclination + top inboard; wheel rotation right-handed, as
-Rx(a) Ry(b) Rz(c) from the design position in the model's axes; wheel load + up on the wheel.
+Rx(a) Ry(b) Rz(c) from the design position in the model's axes; wheel load + up on the wheel;
+roll + right-handed about the model's +x, which takes the left wheel to droop where x points
+forward (iso8855, sae) and the right one where x points rearward (adams).
+
+In roll all places and angles are in the axes of the ground; travel is that of the wheel in the body.
+
+A file of cases has the names of its columns in the first line and one state in each line below: name,
+rack, travel, left_travel, right_travel, fx … mz, left_fx … right_mz for loads, and wheel_force,
+left_wheel_force, right_wheel_force for wheels that forces hold. Wheels that no column holds are
+free, on their tyres.
 
 Examples:
   hardpoint sweep models/double-wishbone.toml
@@ -42,12 +58,20 @@ Examples:
   hardpoint sweep models/bushed-double-wishbone.toml --event load --vary fx --from -2000 --to 2000 --step 500
   hardpoint sweep models/sedan-axle.toml --axle --event opposite --from -50 --to 50
   hardpoint sweep models/sedan-axle.toml --axle --event load --vary fy --wheels opposed
+  hardpoint sweep models/lotus-front.toml --axle --event roll --drive contact-patch
+  hardpoint sweep models/sedan-axle.toml --axle --event roll-load --from -3 --to 3 --step 0.5
+  hardpoint sweep models/sedan-axle.toml --axle --vertical force --from 2000 --to 5000 --step 500
+  hardpoint sweep models/sedan-axle.toml --axle --event load --vary fy --vertical force
+  hardpoint sweep models/sedan-axle.toml --axle --event envelope --over rack=-30:30:10 -o envelope.csv
+  hardpoint sweep models/sedan-axle.toml --axle --event left --over right=-40:40:20
+  hardpoint sweep models/sedan-axle.toml --axle --cases cases.csv
   hardpoint sweep models/four-bar.toml --driver crank --from 0 --to 360 --step 10")]
 pub struct Sweep {
     /// The model or mechanism file.
     model: PathBuf,
     /// What changes: the travel of the wheel, the rack, or one component of the load on the wheel;
-    /// of an axle the travel in parallel, opposite, left or right [default: travel].
+    /// of an axle the travel in parallel, opposite, left or right, or the roll of the body [default:
+    /// travel].
     #[arg(long, value_enum)]
     event: Option<EventName>,
     /// Put both sides on the rig: the model and its mirror image.
@@ -62,20 +86,36 @@ pub struct Sweep {
     /// The driver of a mechanism that moves [default: its only one].
     #[arg(long, value_name = "NAME")]
     driver: Option<String>,
-    /// First value [default: −130 mm of travel, −40 mm of the rack, −1000 N, −100 N·m].
+    /// Go to the states of this CSV file instead of an event.
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with_all = ["event", "vary", "wheels", "from", "to", "step", "over", "vertical",
+            "wheel_force", "driver"]
+    )]
+    cases: Option<PathBuf>,
+    #[command(flatten)]
+    vertical: VerticalOptions,
+    /// Go through the event at each of several values of what it holds, such as rack=-40:40:20: rack, travel,
+    /// or right, the travel of the right wheel while the left one moves [default of an envelope:
+    /// rack from −40 mm to 40 mm in steps of 20 mm].
+    #[arg(long, value_name = "NAME=A:B:S", allow_hyphen_values = true)]
+    over: Option<Over>,
+    /// First value [default: −130 mm of travel, −40 mm of the rack, −3°, −1000 N, −100 N·m].
     #[arg(long, allow_negative_numbers = true, value_name = "A")]
     from: Option<f64>,
-    /// Last value [default: 130 mm of travel, 40 mm of the rack, 1000 N, 100 N·m].
+    /// Last value [default: 130 mm of travel, 40 mm of the rack, 3°, 1000 N, 100 N·m].
     #[arg(long, allow_negative_numbers = true, value_name = "B")]
     to: Option<f64>,
-    /// Distance of the states [default: 10 mm of travel, 5 mm of the rack, a tenth of the load].
+    /// Distance of the states [default: 10 mm of travel, 5 mm of the rack, 0.5°, a tenth of the load].
     #[arg(long, allow_negative_numbers = true, value_name = "S")]
     step: Option<f64>,
     /// Rack displacement that is held [default: 0].
     #[arg(long, allow_negative_numbers = true, value_name = "R")]
     rack: Option<f64>,
     /// Wheel travel that is held [default: 0; a load event leaves the wheel free, on its tyre]. In an
-    /// opposite event it is the mean of both wheels.
+    /// opposite event it is the mean of both wheels; where forces hold the wheels, they are those at
+    /// this travel.
     #[arg(long, allow_negative_numbers = true, value_name = "T")]
     travel: Option<f64>,
     #[command(flatten)]
@@ -122,6 +162,9 @@ impl Sweep {
             return usage("--driver belongs to mechanism files; a suspension has --event");
         }
         let columns = self.columns()?;
+        if let Some(file) = &self.cases {
+            return self.cases(file, model, columns.as_deref(), output);
+        }
         let event = self.event.unwrap_or(EventName::Travel);
         if self.vary.is_some() && event != EventName::Load {
             return usage("--vary belongs to --event load");
@@ -135,43 +178,91 @@ impl Sweep {
                 "a load moves nothing in a model without forces; add [[forces]] to the model",
             );
         }
-        let free = event == EventName::Load && self.travel.is_none();
+        self.vertical.check(event, has_forces)?;
+        if event == EventName::RollLoad && !has_forces {
+            return usage(
+                "a model without forces has no axle load to keep; add [[forces]] to the model, or use \
+                 --event roll",
+            );
+        }
+        let free = event == EventName::Load && self.travel.is_none() && !self.vertical.is_force();
         let support = if free { WheelSupport::Free } else { WheelSupport::Held };
-        let setup = self.rig.setup(support, Chassis::Fixed);
+        let mut setup = self.rig.setup(support, Chassis::Fixed);
         let at = self.rig.point();
-        let rig = |error| Failure::Rig(self.model.display().to_string(), Box::new(error));
         let (quantity, mut plan, name) = self.plan(event, model.units, model.steers())?;
-        // The matrix costs as much as the state itself.
-        let needs = |factor: &&'static Factor| factor.needs.contains(&Need::Compliance);
-        let measures = columns.iter().flatten().any(needs);
+        let plans = self.plans(event, &plan, model)?;
         let sweep = if self.axle {
-            let [left, right] = self.rig.axle_loads(model)?;
-            (plan.held.load, plan.held.right_load) = (left, Some(right));
-            let mut axle = Axle::with_loads(model, &setup, at).map_err(rig)?;
-            axle.measure_compliance(measures);
-            self.states(&mut axle, &plan, model.axes)
+            let loads = self.rig.axle_loads(model)?;
+            if matches!(event, EventName::Roll | EventName::RollLoad) {
+                setup.chassis = self.rolling(model, &setup, at)?;
+            }
+            let mut axle = self.axle(model, &setup, at)?;
+            axle.measure_compliance(needs_compliance(columns.as_deref()));
+            self.states(&mut axle, plans, loads, model)?
         } else {
-            plan.held.load = self.rig.load(model)?;
-            let mut corner = Corner::with_loads(model, &setup, at).map_err(rig)?;
-            corner.measure_compliance(measures);
-            self.states(&mut corner, &plan, model.axes)
+            let mut corner = self.corner(model, &setup, at)?;
+            corner.measure_compliance(needs_compliance(columns.as_deref()));
+            self.states(&mut corner, plans, [self.rig.load(model)?; 2], model)?
         };
-        let side = [model.side];
+        // The report needs to know what holds the wheels, not with which force.
+        plan.held.vertical = self.vertical.vertical(&Supports::default(), model.units);
         let report = SweepReport {
-            name: &model.name,
-            sides: if self.axle { &[Side::Left, Side::Right] } else { &side },
-            axes: model.axes,
-            units: model.units,
             event: &name,
-            drive: Some(self.rig.drive()),
             quantity,
-            plan: &plan,
-            sweep: &sweep,
-            reactions: self.reactions,
+            plan: Some(&plan),
             factors: columns.as_deref(),
-            convention: self.convention.unwrap_or_default().into(),
+            ..self.report(model, &sweep)
         };
         self.write(&report, output)
+    }
+
+    /// A report of a suspension without what it shows.
+    fn report<'a>(&self, model: &'a Model, sweep: &'a rig::Sweep) -> SweepReport<'a> {
+        SweepReport {
+            name: &model.name,
+            sides: match (self.axle, model.side) {
+                (true, _) => &[Side::Left, Side::Right],
+                (false, Side::Left) => &[Side::Left],
+                (false, Side::Right) => &[Side::Right],
+            },
+            axes: model.axes,
+            units: model.units,
+            event: "",
+            drive: Some(self.rig.drive()),
+            quantity: Quantity::Length,
+            plan: None,
+            cases: None,
+            sweep,
+            reactions: self.reactions,
+            factors: None,
+            convention: self.convention.unwrap_or_default().into(),
+        }
+    }
+
+    fn axle(&self, model: &Model, setup: &Setup, at: LoadPoint) -> Result<Axle, Failure> {
+        Axle::with_loads(model, setup, at).map_err(|error| self.cannot_stand(error))
+    }
+
+    fn corner(&self, model: &Model, setup: &Setup, at: LoadPoint) -> Result<Corner, Failure> {
+        Corner::with_loads(model, setup, at).map_err(|error| self.cannot_stand(error))
+    }
+
+    fn cannot_stand(&self, error: rig::RigError) -> Failure {
+        Failure::Rig(self.model.display().to_string(), Box::new(error))
+    }
+
+    /// A chassis that rolls about the static roll centre.
+    fn rolling(&self, model: &Model, setup: &Setup, at: LoadPoint) -> Result<Chassis, Failure> {
+        let mut axle = self.axle(model, setup, at)?;
+        axle.move_to([0.0; 2], 0.0).map_err(|stop| not_begun(stop, model.axes))?;
+        let [left, right] = axle.poses();
+        match roll_axis([&left, &right]) {
+            Some(axis) => Ok(Chassis::Roll { axis }),
+            None => usage(
+                "the axle has no static roll centre to roll about: it is at infinity, or the wheels do \
+                 not move; see rc_height of `hardpoint factors`",
+            ),
+        }
     }
 
     fn mechanism(&self, model: &MechanismModel, output: &Output) -> Result<(), Failure> {
@@ -184,8 +275,13 @@ impl Sweep {
             (self.wheels.is_some(), "--wheels"),
             (self.columns.is_some(), "--columns"),
             (self.convention.is_some(), "--convention"),
+            (self.cases.is_some(), "--cases"),
+            (self.over.is_some(), "--over"),
         ];
         if let Some((_, option)) = suspension.iter().find(|(given, _)| *given) {
+            return usage(format!("{option} belongs to suspensions; this file is a mechanism"));
+        }
+        if let Some(option) = self.vertical.given() {
             return usage(format!("{option} belongs to suspensions; this file is a mechanism"));
         }
         self.rig.refuse()?;
@@ -203,7 +299,7 @@ impl Sweep {
         };
         let step = self.step.unwrap_or((to - from) / 10.0);
         let value = |value| quantity.to_si(model.units, value);
-        self.check_values(|length| model.units.length.to_metres(length))?;
+        self.check_values(quantity, model.units)?;
         let plan = SweepPlan {
             event: rig::Event::Driver(driver),
             from: value(from),
@@ -212,7 +308,9 @@ impl Sweep {
             held: Held::default(),
         };
         check_states(&plan)?;
-        let sweep = self.states(&mut stand, &plan, Axes::Iso8855);
+        let sweep = self.go(plan.values().len(), Axes::Iso8855, |progress| {
+            rig::Sweep::run(&mut stand, &plan, progress)
+        });
         let report = SweepReport {
             name: &model.name,
             sides: &[],
@@ -221,7 +319,8 @@ impl Sweep {
             event: &name,
             drive: None,
             quantity,
-            plan: &plan,
+            plan: Some(&plan),
+            cases: None,
             sweep: &sweep,
             reactions: self.reactions,
             factors: None,
@@ -236,7 +335,17 @@ impl Sweep {
         let find = |name: &String| {
             factors::find(name.trim()).map_err(|unknown| Failure::Usage(unknown.to_string()))
         };
-        names.iter().map(find).collect::<Result<_, _>>().map(Some)
+        let mut columns: Vec<&'static Factor> = names.iter().map(find).collect::<Result<_, _>>()?;
+        if self.over.is_some() || self.event == Some(EventName::Envelope) {
+            // A grid without its places would say nothing.
+            for name in ["rack", "travel"] {
+                if !columns.iter().any(|factor| factor.name == name) {
+                    columns.extend(factors::find(name));
+                    columns.rotate_right(1);
+                }
+            }
+        }
+        Ok(Some(columns))
     }
 
     fn driver_of(&self, model: &MechanismModel) -> Result<DriverId, Failure> {
@@ -254,9 +363,42 @@ impl Sweep {
         }
     }
 
-    fn states(&self, specimen: &mut impl Specimen, plan: &SweepPlan, axes: Axes) -> rig::Sweep {
-        let progress = Progress::new(plan.values().len());
-        let sweep = rig::Sweep::run(specimen, plan, |done| progress.show(done));
+    /// The states of plans with their names; the loads are those of the left and the right wheel.
+    fn states(
+        &self,
+        specimen: &mut impl Specimen,
+        mut plans: Vec<(String, SweepPlan)>,
+        [left, right]: [Load; 2],
+        model: &Model,
+    ) -> Result<rig::Sweep, Failure> {
+        for (_, plan) in &mut plans {
+            (plan.held.load, plan.held.right_load) = (left, Some(right));
+            if self.vertical.is_force() || self.event == Some(EventName::RollLoad) {
+                let supports = Supports::find(specimen, &plan.held)
+                    .map_err(|stop| not_begun(stop, model.axes))?;
+                plan.held.vertical = self.vertical.vertical(&supports, model.units);
+                if self.event == Some(EventName::RollLoad) {
+                    plan.held.heave = Hold::Force(supports.chassis);
+                }
+                specimen.reset();
+            }
+        }
+        let count = plans.iter().map(|(_, plan)| plan.values().len()).sum();
+        Ok(self.go(count, model.axes, |progress| match plans.as_slice() {
+            [(_, plan)] => rig::Sweep::run(specimen, plan, progress),
+            plans => rig::Sweep::grid(specimen, plans, progress),
+        }))
+    }
+
+    /// Runs a sweep of so many states with a bar, and warns of motions that nothing holds.
+    fn go(
+        &self,
+        states: usize,
+        axes: Axes,
+        run: impl FnOnce(&mut dyn FnMut(usize)) -> rig::Sweep,
+    ) -> rig::Sweep {
+        let progress = Progress::new(states);
+        let sweep = run(&mut |done| progress.show(done));
         progress.clear();
         for motion in &sweep.free_motions {
             let axes = axes_of_words(axes, motion);
@@ -285,94 +427,17 @@ impl Sweep {
         let words: String = sweep.stops.iter().map(ToString::to_string).collect();
         let axes = axes_of_words(report.axes, &words);
         let rows = format!("{} of {} states were reached{axes}", sweep.rows.len(), sweep.planned);
-        Err(Failure::Stopped(sweep.stops.clone(), rows))
-    }
-
-    fn check_values(&self, metres: impl Fn(f64) -> f64) -> Result<(), Failure> {
-        let options = [
-            ("--from", self.from),
-            ("--to", self.to),
-            ("--step", self.step),
-            ("--rack", self.rack),
-            ("--travel", self.travel),
-        ];
-        for (name, value) in options {
-            let Some(value) = value else { continue };
-            if !value.is_finite() {
-                return usage(format!("{name} is not a finite number"));
-            }
-            let is_length = match name {
-                "--step" => false,
-                "--from" | "--to" => self.event != Some(EventName::Load) && self.driver.is_none(),
-                _ => true,
-            };
-            if is_length && metres(value).abs() > FARTHEST {
-                return usage(format!(
-                    "{name} is more than a kilometre; lengths are in the unit of the model"
-                ));
-            }
-        }
-        Ok(())
-    }
-
-    /// The states of a corner to visit, what their values are, and the name of the event.
-    fn plan(
-        &self,
-        event: EventName,
-        units: Units,
-        steers: bool,
-    ) -> Result<(Quantity, SweepPlan, String), Failure> {
-        let metres = |length: f64| units.length.to_metres(length);
-        self.check_values(metres)?;
-        if self.rack.is_some_and(|rack| rack != 0.0) && !steers {
-            return usage("this suspension has no rack; leave out --rack");
-        }
-        match event {
-            EventName::Travel | EventName::Parallel if self.travel.is_some() => {
-                return usage(
-                    "a travel event moves the travel; hold the rack with --rack, \
-                     and say the range of travel with --from and --to",
-                );
-            }
-            EventName::Steer if self.rack.is_some() => {
-                return usage(
-                    "a steer event moves the rack; hold the travel with --travel, \
-                     and say the range of the rack with --from and --to",
-                );
-            }
-            EventName::Steer if !steers => {
-                return usage("this suspension has no rack, so there is no steer event");
-            }
-            _ => {}
-        }
-        let Course { event, quantity, range, step, name } = if self.axle {
-            Course::of_axle(event, self.vary.as_deref(), self.wheels)?
-        } else {
-            Course::of_corner(event, self.vary.as_deref())?
-        };
-        let value = |value: Option<f64>, default: f64| {
-            value.map_or(default, |value| quantity.to_si(units, value))
-        };
-        let length = |value: Option<f64>| value.map_or(0.0, metres);
-        let plan = SweepPlan {
-            event,
-            from: value(self.from, -range),
-            to: value(self.to, range),
-            step: value(self.step, step),
-            held: Held { travel: length(self.travel), rack: length(self.rack), ..Held::default() },
-        };
-        check_states(&plan)?;
-        Ok((quantity, plan, name))
+        Err(Failure::Missed(sweep.stops.clone(), rows))
     }
 }
 
-fn check_states(plan: &SweepPlan) -> Result<(), Failure> {
-    let states = ((plan.to - plan.from) / plan.step).abs();
-    if plan.step == 0.0 && plan.from != plan.to {
-        return usage("--step is zero");
-    }
-    if states > MOST_STATES {
-        return usage("--step is too small for the range: at most 1,000,000 states");
-    }
-    Ok(())
+/// Whether a column needs the compliance matrix, which costs as much as the state itself.
+fn needs_compliance(columns: Option<&[&'static Factor]>) -> bool {
+    columns.into_iter().flatten().any(|factor| factor.needs.contains(&Need::Compliance))
+}
+
+/// The rig did not get to where the event begins.
+fn not_begun(stop: Stop, axes: Axes) -> Failure {
+    let axes = axes_of_words(axes, &stop.to_string());
+    Failure::Stopped(vec![stop], format!("the event has not begun{axes}"))
 }
