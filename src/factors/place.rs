@@ -16,7 +16,7 @@ pub(super) const DRIVES: &[Factor] = &[
         title: "wheel travel",
         symbol: "u",
         sign: "+ jounce",
-        formula: "change of the height that is driven: wheel centre or contact patch",
+        formula: "change of the height that is driven, wheel centre or contact patch, in the axes of the body",
         source: "Adams/Car, Lotus",
         value: formula!(|pose| Some(pose.travel)),
         ..PLACE

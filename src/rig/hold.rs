@@ -65,7 +65,7 @@ impl Stand {
         };
         let mut lacking = self.lacking(&sought);
         let mut rates = self.rates(&sought);
-        let mut fraction = 1.0;
+        let (mut fraction, mut why) = (1.0, None);
         for _ in 0..MOST_STEPS {
             let worst = largest(&lacking);
             let measure = self.measure(&sought, rates.as_deref());
@@ -90,19 +90,25 @@ impl Stand {
             for ((_, value), from) in values[first..].iter_mut().zip(from) {
                 *value = from;
             }
-            add(self.move_to(&values)?);
+            match self.move_to(&values) {
+                Ok(report) => add(report),
+                Err(stop) => {
+                    why = moved.err().or(Some(stop));
+                    break;
+                }
+            }
             if worst <= ROUNDING * measure {
                 return Ok(sum);
             }
             fraction *= 0.5;
             if fraction < SHORTEST {
-                moved?;
+                why = moved.err();
                 break;
             }
         }
         let forces =
             sought.iter().map(|&(driver, force)| (driver, self.driver_force(driver), force));
-        Err(Stop::no_force(self.mechanism(), forces))
+        Err(Stop::no_force(self.mechanism(), forces, why))
     }
 
     /// The force (N) or moment (N·m) with which a driver is held, positive in the sense of its value.

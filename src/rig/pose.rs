@@ -80,7 +80,8 @@ pub struct Motions<S> {
     pub across: Option<Twist<S>>,
 }
 
-/// What a state is compared with: the design position, carried along with the chassis.
+/// What a state is compared with: the design position, carried up and down with the chassis. Roll does
+/// not turn it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Design<S> {
     /// The wheel.
@@ -91,11 +92,11 @@ pub struct Design<S> {
     pub damper: Option<Line<S>>,
 }
 
-/// One state of a corner, in ISO 8855 axes (x forward, y left, z up), the chassis fixed or on its
-/// slide: all that factors are made of.
+/// One state of a corner, in ISO 8855 axes (x forward, y left, z up) of the ground, the chassis fixed,
+/// on its slide or rolled by the rig: all that factors are made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<S> {
-    /// Change of the height of the wheel (m), positive in jounce.
+    /// Change of the height of the wheel (m), positive in jounce; of a chassis that rolls, in its axes.
     pub travel: S,
     /// Displacement of the rack (m), positive along the y axis of the model's own axes; zero
     /// where the suspension does not steer.

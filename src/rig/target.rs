@@ -202,7 +202,11 @@ impl SweepPlan {
         let steps = whole as usize;
         let step = self.step.abs().copysign(distance);
         #[allow(clippy::cast_precision_loss)]
-        let mut values: Vec<f64> = (0..=steps).map(|k| self.from + k as f64 * step).collect();
+        let mut values: Vec<f64> = (0..=steps)
+            .map(|k| self.from + k as f64 * step)
+            // Zero is zero, not what rounding leaves of it.
+            .map(|value| if value.abs() < 1e-9 * step.abs() { 0.0 } else { value })
+            .collect();
         if exact - whole > 1e-9 {
             values.push(self.to);
         } else if let Some(last) = values.last_mut() {
@@ -228,6 +232,7 @@ mod tests {
         assert_eq!(values(1.0, 0.0, 0.5), [1.0, 0.5, 0.0]);
         assert_eq!(values(2.0, 2.0, 0.5), [2.0]);
         assert_eq!(values(0.0, 1.0, 0.0), [0.0, 1.0]);
+        assert_eq!(values(-0.3, 0.1, 0.1)[3], 0.0);
     }
 
     #[test]

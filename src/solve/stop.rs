@@ -49,8 +49,9 @@ pub enum StopReason {
     },
     /// The mechanism is held, but its forces have no equilibrium.
     NoEquilibrium(StaticFailure),
-    /// No value of the drivers that are held by forces has these forces.
-    NoForce(Vec<Carried>),
+    /// No value of the drivers that are held by forces has these forces, or the mechanism stopped on
+    /// the way there.
+    NoForce(Vec<Carried>, Option<Box<Stop>>),
 }
 
 /// What a driver that is held by a force carried when the mechanism stopped.
@@ -111,17 +112,18 @@ impl Stop {
     }
 
     /// No values of drivers have the forces that are asked for. `forces` lists drivers with what they
-    /// carry and their targets.
+    /// carry and their targets; `why` is the stop on the way there.
     pub fn no_force(
         mechanism: &Mechanism,
         forces: impl Iterator<Item = (DriverId, f64, f64)>,
+        why: Option<Self>,
     ) -> Self {
         let carried = forces.map(|(driver, force, target)| {
             let driver = &mechanism.drivers()[driver.index()];
             let unit = if driver.kind.unit() == "rad" { "N·m" } else { "N" };
             Carried { driver: driver.name.clone(), unit, force, target }
         });
-        Self { reached: vec![], reason: StopReason::NoForce(carried.collect()) }
+        Self { reached: vec![], reason: StopReason::NoForce(carried.collect(), why.map(Box::new)) }
     }
 }
 
@@ -189,17 +191,20 @@ impl fmt::Display for StopReason {
                 write!(f, "driver {driver} was given a value that is not a finite number")
             }
             Self::NoEquilibrium(failure) => write!(f, "{failure}"),
-            Self::NoForce(carried) => {
+            Self::NoForce(carried, why) => {
                 for (index, Carried { driver, unit, force, target }) in carried.iter().enumerate() {
                     let start = if index == 0 { "stopped at" } else { " and" };
                     let (force, target) = (plain(*force), plain(*target));
                     write!(f, "{start} {force} {unit} at {driver} on the way to {target} {unit}")?;
                 }
-                write!(
-                    f,
-                    ": no position near the last one carries this; ask for less, or check springs \
-                     and stops"
-                )
+                match why {
+                    Some(why) => write!(f, ": {why}"),
+                    None => write!(
+                        f,
+                        ": no position near the last one carries this; ask for less, or check \
+                         springs and stops"
+                    ),
+                }
             }
         }
     }

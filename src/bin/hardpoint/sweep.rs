@@ -1,21 +1,17 @@
 //! `hardpoint sweep`: an event, state by state.
 
 mod cases;
+mod mechanism;
 mod over;
 mod plan;
 
 use std::path::PathBuf;
 
 use clap::Args;
-use hardpoint::factors::{self, Convention, Factor, Need, roll_axis};
-use hardpoint::mechanism::DriverId;
-use hardpoint::model::{
-    Axes, Chassis, Document, MechanismModel, Model, Quantity, Setup, Side, WheelSupport,
-};
+use hardpoint::factors::{self, Factor, Need, roll_axis};
+use hardpoint::model::{Axes, Chassis, Document, Model, Quantity, Setup, Side, WheelSupport};
 use hardpoint::report::SweepReport;
-use hardpoint::rig::{
-    self, Axle, Corner, Held, Hold, Load, LoadPoint, Specimen, Stand, Supports, SweepPlan,
-};
+use hardpoint::rig::{self, Axle, Corner, Hold, Load, LoadPoint, Specimen, Supports, SweepPlan};
 use hardpoint::solve::Stop;
 
 use crate::events::{EventName, VerticalOptions, Wheels};
@@ -25,7 +21,6 @@ use crate::loads::RigOptions;
 use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
 use crate::progress::Progress;
 use over::Over;
-use plan::check_states;
 
 /// Move wheels, the rack, the body, a load or a driver through an event, or go through cases of a file,
 /// and list every state.
@@ -64,7 +59,7 @@ Examples:
   hardpoint sweep models/sedan-axle.toml --axle --event load --vary fy --vertical force
   hardpoint sweep models/sedan-axle.toml --axle --event envelope --over rack=-30:30:10 -o envelope.csv
   hardpoint sweep models/sedan-axle.toml --axle --event left --over right=-40:40:20
-  hardpoint sweep models/sedan-axle.toml --axle --cases cases.csv
+  hardpoint sweep models/sedan-axle.toml --axle --cases models/load-cases.csv
   hardpoint sweep models/four-bar.toml --driver crank --from 0 --to 360 --step 10")]
 pub struct Sweep {
     /// The model or mechanism file.
@@ -265,70 +260,6 @@ impl Sweep {
         }
     }
 
-    fn mechanism(&self, model: &MechanismModel, output: &Output) -> Result<(), Failure> {
-        let suspension = [
-            (self.event.is_some(), "--event"),
-            (self.vary.is_some(), "--vary"),
-            (self.rack.is_some(), "--rack"),
-            (self.travel.is_some(), "--travel"),
-            (self.axle, "--axle"),
-            (self.wheels.is_some(), "--wheels"),
-            (self.columns.is_some(), "--columns"),
-            (self.convention.is_some(), "--convention"),
-            (self.cases.is_some(), "--cases"),
-            (self.over.is_some(), "--over"),
-        ];
-        if let Some((_, option)) = suspension.iter().find(|(given, _)| *given) {
-            return usage(format!("{option} belongs to suspensions; this file is a mechanism"));
-        }
-        if let Some(option) = self.vertical.given() {
-            return usage(format!("{option} belongs to suspensions; this file is a mechanism"));
-        }
-        self.rig.refuse()?;
-        let driver = self.driver_of(model)?;
-        let part = &model.mechanism.drivers()[driver.index()];
-        let quantity = if part.kind.unit() == "rad" { Quantity::Angle } else { Quantity::Length };
-        let name = part.name.clone();
-        let mut stand = Stand::new(model.mechanism.clone(), &[], Axes::Iso8855)
-            .map_err(|error| Failure::Rig(self.model.display().to_string(), Box::new(error)))?;
-        let (Some(from), Some(to)) = (self.from, self.to) else {
-            return usage(format!(
-                "say the range of driver {name} in {} with --from and --to",
-                quantity.symbol(model.units)
-            ));
-        };
-        let step = self.step.unwrap_or((to - from) / 10.0);
-        let value = |value| quantity.to_si(model.units, value);
-        self.check_values(quantity, model.units)?;
-        let plan = SweepPlan {
-            event: rig::Event::Driver(driver),
-            from: value(from),
-            to: value(to),
-            step: value(step),
-            held: Held::default(),
-        };
-        check_states(&plan)?;
-        let sweep = self.go(plan.values().len(), Axes::Iso8855, |progress| {
-            rig::Sweep::run(&mut stand, &plan, progress)
-        });
-        let report = SweepReport {
-            name: &model.name,
-            sides: &[],
-            axes: Axes::Iso8855,
-            units: model.units,
-            event: &name,
-            drive: None,
-            quantity,
-            plan: Some(&plan),
-            cases: None,
-            sweep: &sweep,
-            reactions: self.reactions,
-            factors: None,
-            convention: Convention::Iso,
-        };
-        self.write(&report, output)
-    }
-
     /// The factors of `--columns`.
     fn columns(&self) -> Result<Option<Vec<&'static Factor>>, Failure> {
         let Some(names) = &self.columns else { return Ok(None) };
@@ -346,21 +277,6 @@ impl Sweep {
             }
         }
         Ok(Some(columns))
-    }
-
-    fn driver_of(&self, model: &MechanismModel) -> Result<DriverId, Failure> {
-        if let Some(name) = &self.driver {
-            let found = crate::equilibrium::released(std::slice::from_ref(name), model)?;
-            return Ok(found[0]);
-        }
-        let mut drivers = model.mechanism.driver_ids();
-        match (drivers.next(), drivers.next()) {
-            (Some(only), None) => Ok(only),
-            (None, _) => {
-                usage("the mechanism has no driver; add a [[drivers]] section to the file")
-            }
-            _ => usage("the mechanism has several drivers; name one with --driver"),
-        }
     }
 
     /// The states of plans with their names; the loads are those of the left and the right wheel.
