@@ -56,6 +56,7 @@ pub mod factors;
 pub mod kernels;
 pub mod mechanism;
 pub mod model;
+pub mod programme;
 pub mod relation;
 pub mod report;
 pub mod rig;

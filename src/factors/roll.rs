@@ -37,6 +37,15 @@ fn roll_center<S: Real>(pose: &Pose<S>) -> Option<[S; 2]> {
     Some([y, z])
 }
 
+/// The front view is that through the wheel centres at design.
+fn roll_center_x<S: Real>(pose: &Pose<S>) -> Option<S> {
+    roll_center(pose)?;
+    let zero = S::from_f64(0.0);
+    let centers = [pose.design.wheel, pose.other?.design].map(|wheel| wheel.center[0]);
+    let middle = S::from_f64(0.5) * (centers[0] + centers[1]);
+    Some(pose.axes.from_iso([middle, zero, zero])[0])
+}
+
 fn roll_center_y<S: Real>(pose: &Pose<S>) -> Option<S> {
     let zero = S::from_f64(0.0);
     Some(pose.axes.from_iso([zero, roll_center(pose)?[0], zero])[1])
@@ -101,6 +110,16 @@ const CENTER: Factor = Factor {
 const SLOPE: Factor = Factor { scope: Scope::Wheel, quantity: Quantity::Ratio, ..CENTER };
 
 pub(super) const ROLL: &[Factor] = &[
+    Factor {
+        name: "roll_center_x",
+        title: "roll centre along the vehicle",
+        symbol: "x_R",
+        sign: "+ along the model's +x",
+        formula: "W_x at design, the mean of both wheels: where the front view is taken",
+        source: "Lotus",
+        value: formula!(roll_center_x),
+        ..CENTER
+    },
     Factor {
         name: "roll_center_y",
         title: "roll centre across the vehicle",

@@ -4,12 +4,16 @@ mod compliance;
 mod csv;
 mod factors;
 mod json;
+mod lotus;
+mod programme;
 mod settle;
 mod statics;
 mod table;
 
 pub use compliance::ComplianceReport;
 pub use factors::{FactorSheet, write_definitions};
+pub use lotus::LotusReport;
+pub use programme::{ProgrammeSummary, StageResult};
 pub use settle::{SettleReport, SettleRow};
 pub use statics::StaticsReport;
 

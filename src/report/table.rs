@@ -71,10 +71,15 @@ impl SweepReport<'_> {
 
 /// Four decimals; a value that rounds to zero has no sign, a missing one is a dash.
 pub(super) fn cell(value: Option<f64>) -> String {
+    cell_to(value, 4)
+}
+
+/// So many decimals.
+pub(super) fn cell_to(value: Option<f64>, decimals: usize) -> String {
     value.map_or_else(
         || "–".to_owned(),
         |value| {
-            let text = format!("{value:.4}");
+            let text = format!("{value:.decimals$}");
             if text.trim_start_matches('-').trim_matches(['0', '.']).is_empty() {
                 text.trim_start_matches('-').to_owned()
             } else {

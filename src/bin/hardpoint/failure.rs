@@ -28,6 +28,8 @@ pub enum Failure {
     Stopped(Vec<Stop>, String),
     /// States of an event or cases that were not reached.
     Missed(Vec<Missed>, String),
+    /// What several events did not reach, in words.
+    Incomplete(Vec<String>, String),
     /// A file or pipe that cannot be written; says which.
     Output(String, io::Error),
     /// Options that do not fit together.
@@ -69,6 +71,13 @@ impl Failure {
             Self::Missed(missed, rows) => {
                 for missed in missed {
                     eprintln!("{missed}");
+                }
+                eprintln!("{rows}");
+                ExitCode::from(3)
+            }
+            Self::Incomplete(notes, rows) => {
+                for note in notes {
+                    eprintln!("{}", note.trim_end());
                 }
                 eprintln!("{rows}");
                 ExitCode::from(3)

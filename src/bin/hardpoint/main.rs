@@ -9,6 +9,8 @@ mod failure;
 mod loads;
 mod output;
 mod progress;
+mod report;
+mod rig;
 mod settle;
 mod sweep;
 
@@ -45,6 +47,8 @@ enum Command {
     Compliance(compliance::Compliance),
     Equilibrium(equilibrium::Equilibrium),
     Factors(factors::Factors),
+    Report(report::Report),
+    Rig(rig::Rig),
     Settle(settle::Settle),
     Sweep(sweep::Sweep),
 }
@@ -55,6 +59,8 @@ fn main() -> ExitCode {
         Command::Compliance(command) => command.run(),
         Command::Equilibrium(command) => command.run(),
         Command::Factors(command) => command.run(),
+        Command::Report(command) => command.run(),
+        Command::Rig(command) => command.run(),
         Command::Settle(command) => command.run(),
         Command::Sweep(command) => command.run(),
     };

@@ -8,8 +8,9 @@ mod plan;
 use std::path::PathBuf;
 
 use clap::Args;
-use hardpoint::factors::{self, Factor, Need, roll_axis};
+use hardpoint::factors::{self, Factor, Need};
 use hardpoint::model::{Axes, Chassis, Document, Model, Quantity, Setup, Side, WheelSupport};
+use hardpoint::programme::{StageError, rolling};
 use hardpoint::report::SweepReport;
 use hardpoint::rig::{self, Axle, Corner, Hold, Load, LoadPoint, Specimen, Supports, SweepPlan};
 use hardpoint::solve::Stop;
@@ -248,16 +249,11 @@ impl Sweep {
 
     /// A chassis that rolls about the static roll centre.
     fn rolling(&self, model: &Model, setup: &Setup, at: LoadPoint) -> Result<Chassis, Failure> {
-        let mut axle = self.axle(model, setup, at)?;
-        axle.move_to([0.0; 2], 0.0).map_err(|stop| not_begun(stop, model.axes))?;
-        let [left, right] = axle.poses();
-        match roll_axis([&left, &right]) {
-            Some(axis) => Ok(Chassis::Roll { axis }),
-            None => usage(
-                "the axle has no static roll centre to roll about: it is at infinity, or the wheels do \
-                 not move; see rc_height of `hardpoint factors`",
-            ),
-        }
+        rolling(model, setup, at).map_err(|error| match error {
+            StageError::Rig(error) => self.cannot_stand(error),
+            StageError::NotBegun(stop) => not_begun(*stop, model.axes),
+            StageError::NoRollCenter => Failure::Usage(error.to_string()),
+        })
     }
 
     /// The factors of `--columns`.
