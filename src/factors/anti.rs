@@ -88,7 +88,7 @@ fn drive_support<S: Real>(pose: &Pose<S>) -> Option<S> {
 }
 
 /// The part of the load transfer that the suspension takes up: share · L/h · slope.
-fn compensated<S: Real>(
+pub(super) fn compensated<S: Real>(
     pose: &Pose<S>,
     share: Option<f64>,
     slope: Option<S>,
@@ -98,7 +98,7 @@ fn compensated<S: Real>(
     quotient(force * slope?, height?, NEARLY_PARALLEL)
 }
 
-fn cg_height<S: Real>(pose: &Pose<S>) -> Option<S> {
+pub(super) fn cg_height<S: Real>(pose: &Pose<S>) -> Option<S> {
     pose.vehicle.cg_height.map(S::from_f64)
 }
 

@@ -1,5 +1,6 @@
 //! Instant centres in front and side view, and the swing arms to them.
 
+use super::compliance::{Pair, per_rise};
 use super::definition::{Factor, Subject, formula};
 use super::need::Need;
 use super::travel::per_travel;
@@ -9,25 +10,35 @@ use crate::rig::Pose;
 use crate::scalar::Real;
 use crate::vector::{Vector, add};
 
-/// The point of the wheel's body in whose plane a centre is sought.
+/// The point of the wheel's body in whose plane a centre is sought, and the motion of the body.
 #[derive(Clone, Copy)]
 enum Plane {
+    /// The wheel centre, in travel.
     Center,
+    /// The patch, in travel.
     Patch,
+    /// The wheel centre under equal vertical forces on both wheels.
+    Ride,
+    /// The wheel centre under opposed ones.
+    Roll,
 }
 
 impl Plane {
     fn point<S: Real>(self, pose: &Pose<S>) -> Vector<S> {
         match self {
-            Self::Center => pose.wheel.center,
             Self::Patch => pose.wheel.contact_patch(),
+            Self::Center | Self::Ride | Self::Roll => pose.wheel.center,
         }
     }
 }
 
-/// Velocity of the point and angular velocity, by travel.
+/// Velocity of the point and angular velocity, per metre that the wheel centre rises.
 fn motion<S: Real>(pose: &Pose<S>, plane: Plane) -> Option<(Vector<S>, Vector<S>)> {
-    let twist = per_travel(pose)?;
+    let twist = match plane {
+        Plane::Center | Plane::Patch => per_travel(pose)?,
+        Plane::Ride => per_rise(pose, Pair::Parallel)?,
+        Plane::Roll => per_rise(pose, Pair::Opposed)?,
+    };
     Some((twist.at(plane.point(pose)), twist.rotation))
 }
 
@@ -85,10 +96,13 @@ const CENTERS: Factor = Factor {
     ..Factor::BLANK
 };
 
+const ELASTIC: Factor =
+    Factor { needs: &[Need::Compliance], source: "Adams/Car, Altair 140 to 170", ..CENTERS };
+
 /// The four factors of one view in the plane of one point.
 macro_rules! of_view {
     (
-        $plane:ident, $end:literal, $of:literal, $mark:literal,
+        $base:ident, $plane:ident, $end:literal, $of:literal, $mark:literal,
         $ic:literal, $arm:literal, $view:literal,
         $center:ident, $length:ident, $angle:ident,
         $axis:literal, $k:literal, $across:literal, $height:literal, $long:literal, $slope:literal,
@@ -102,7 +116,7 @@ macro_rules! of_view {
                 sign: concat!("+ along the model's +", $axis),
                 formula: $across,
                 value: formula!(|pose| Some($center(pose, Plane::$plane)?[$k])),
-                ..CENTERS
+                ..$base
             },
             Factor {
                 name: concat!($ic, $end, "_z"),
@@ -111,7 +125,7 @@ macro_rules! of_view {
                 sign: "+ along the model's +z",
                 formula: $height,
                 value: formula!(|pose| Some($center(pose, Plane::$plane)?[2])),
-                ..CENTERS
+                ..$base
             },
             Factor {
                 name: concat!($arm, $end, "_length"),
@@ -120,7 +134,7 @@ macro_rules! of_view {
                 sign: concat!("+ centre ", $way, " of the wheel"),
                 formula: $long,
                 value: formula!(|pose| $length(pose, Plane::$plane)),
-                ..CENTERS
+                ..$base
             },
             Factor {
                 name: concat!($arm, $end, "_angle"),
@@ -130,13 +144,14 @@ macro_rules! of_view {
                 sign: concat!("+ arm rises ", $way),
                 formula: $slope,
                 value: formula!(|pose| $angle(pose, Plane::$plane)),
-                ..CENTERS
+                ..$base
             },
         ]
     };
 }
 
 const FRONT_CENTER: [Factor; 4] = of_view!(
+    CENTERS,
     Center,
     "",
     "",
@@ -157,6 +172,7 @@ const FRONT_CENTER: [Factor; 4] = of_view!(
 );
 
 const FRONT_PATCH: [Factor; 4] = of_view!(
+    CENTERS,
     Patch,
     "_patch",
     " in the plane of the patch",
@@ -177,6 +193,7 @@ const FRONT_PATCH: [Factor; 4] = of_view!(
 );
 
 const SIDE_CENTER: [Factor; 4] = of_view!(
+    CENTERS,
     Center,
     "",
     "",
@@ -197,6 +214,7 @@ const SIDE_CENTER: [Factor; 4] = of_view!(
 );
 
 const SIDE_PATCH: [Factor; 4] = of_view!(
+    CENTERS,
     Patch,
     "_patch",
     " in the plane of the patch",
@@ -216,4 +234,47 @@ const SIDE_PATCH: [Factor; 4] = of_view!(
     "rearward"
 );
 
-pub(super) const VIEWS: [&[Factor]; 4] = [&FRONT_CENTER, &FRONT_PATCH, &SIDE_CENTER, &SIDE_PATCH];
+const FRONT_ELASTIC: [Factor; 4] = of_view!(
+    ELASTIC,
+    Roll,
+    "_elastic",
+    " from the compliance",
+    "_fe",
+    "fvic",
+    "fvsa",
+    "front-view",
+    front,
+    front_length,
+    front_angle,
+    "y",
+    1,
+    "W_y − v_Wz / ω_x under opposed vertical forces",
+    "W_z + v_Wy / ω_x under opposed vertical forces",
+    "σ √(v_Wy² + v_Wz²) / ω_x: √(dy² + dz²)/dθ, dy = C23 − C29, dz = C33 − C39, dθ = C43 − C49",
+    "atan(σ v_Wy / v_Wz) under opposed vertical forces",
+    "inboard"
+);
+
+const SIDE_ELASTIC: [Factor; 4] = of_view!(
+    ELASTIC,
+    Ride,
+    "_elastic",
+    " from the compliance",
+    "_se",
+    "svic",
+    "svsa",
+    "side-view",
+    side,
+    side_length,
+    side_angle,
+    "x",
+    0,
+    "W_x + v_Wz / ω_y under equal vertical forces",
+    "W_z − v_Wx / ω_y under equal vertical forces",
+    "−√(v_Wx² + v_Wz²) / ω_y: √(dx² + dz²)/dθ, dx = C13 + C19, dz = C33 + C39, dθ = C53 + C59",
+    "atan(v_Wx / v_Wz) under equal vertical forces",
+    "rearward"
+);
+
+pub(super) const VIEWS: [&[Factor]; 6] =
+    [&FRONT_CENTER, &FRONT_PATCH, &SIDE_CENTER, &SIDE_PATCH, &FRONT_ELASTIC, &SIDE_ELASTIC];

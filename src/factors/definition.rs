@@ -35,11 +35,23 @@ pub enum Subject {
     Steering,
     /// Roll of the axle.
     Roll,
+    /// Rates of wheel, ride and roll, and other stiffnesses.
+    Rates,
+    /// Ride and roll from the compliance.
+    Ride,
+    /// Compliance to lateral forces and aligning torques.
+    Lateral,
+    /// Compliance to braking and driving forces.
+    Longitudinal,
+    /// Jacking forces.
+    Jacking,
+    /// Pitch from the compliance.
+    Pitch,
 }
 
 impl Subject {
     /// All of them, in the order of reports.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 19] = [
         Self::Place,
         Self::Orientation,
         Self::SteerAxis,
@@ -53,6 +65,12 @@ impl Subject {
         Self::Load,
         Self::Steering,
         Self::Roll,
+        Self::Rates,
+        Self::Ride,
+        Self::Lateral,
+        Self::Longitudinal,
+        Self::Jacking,
+        Self::Pitch,
     ];
 
     /// A heading.
@@ -71,6 +89,12 @@ impl Subject {
             Self::Load => "Wheel load",
             Self::Steering => "Steering of the axle",
             Self::Roll => "Roll of the axle",
+            Self::Rates => "Rates and stiffnesses",
+            Self::Ride => "Ride and roll from the compliance",
+            Self::Lateral => "Lateral compliance",
+            Self::Longitudinal => "Longitudinal compliance",
+            Self::Jacking => "Jacking forces",
+            Self::Pitch => "Dive, lift and squat from the compliance",
         }
     }
 }
@@ -85,7 +109,7 @@ pub enum Scope {
     Axle,
 }
 
-/// A formula, for numbers and for dual numbers. The value is in m, rad, N or without dimension.
+/// A formula, for numbers and for dual numbers. The value is in SI units.
 #[derive(Clone, Copy)]
 pub struct Formula {
     /// The value.
@@ -187,7 +211,7 @@ impl Factor {
         self.quantity.column(self.name, units)
     }
 
-    /// The value (m, rad, N or without dimension) by a convention.
+    /// The value (SI) by a convention.
     pub fn value(&self, convention: Convention, pose: &Pose<f64>) -> Option<f64> {
         let value = (self.by(convention).value.plain)(pose);
         value.filter(|value| value.is_finite() && self.applies(pose))

@@ -21,12 +21,20 @@
 
 mod anti;
 mod centers;
+mod compliance;
 mod convention;
 mod definition;
+mod jacking;
+mod lateral;
+mod longitudinal;
 mod need;
+mod pitch;
 mod place;
+mod rates;
 mod ratios;
+mod ride;
 mod roll;
+mod roll_center;
 mod screw;
 mod steer_axis;
 mod steering;

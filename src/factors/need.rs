@@ -33,6 +33,12 @@ pub enum Need {
     BrakeShare,
     /// `drive_share` of `[vehicle]`.
     DriveShare,
+    /// `mass` of `[vehicle]`.
+    Mass,
+    /// `sprung_mass` of `[vehicle]` or of `[quarter_car]`.
+    SprungMass,
+    /// `unsprung_mass` of `[vehicle]`.
+    UnsprungMass,
 }
 
 impl Need {
@@ -59,6 +65,9 @@ impl Need {
             Self::CgHeight => "`cg_height` in [vehicle]",
             Self::BrakeShare => "`brake_share` in [vehicle]",
             Self::DriveShare => "`drive_share` in [vehicle]",
+            Self::Mass => "`mass` in [vehicle]",
+            Self::SprungMass => "`sprung_mass` in [vehicle]",
+            Self::UnsprungMass => "`unsprung_mass` in [vehicle]",
         }
     }
 
@@ -79,6 +88,9 @@ impl Need {
             Self::CgHeight => "`cg_height`",
             Self::BrakeShare => "`brake_share`",
             Self::DriveShare => "`drive_share`",
+            Self::Mass => "`mass`",
+            Self::SprungMass => "`sprung_mass`",
+            Self::UnsprungMass => "`unsprung_mass`",
         }
     }
 
@@ -100,6 +112,9 @@ impl Need {
             Self::CgHeight => vehicle.cg_height.is_some(),
             Self::BrakeShare => vehicle.brake_share.is_some(),
             Self::DriveShare => vehicle.drive_share.is_some(),
+            Self::Mass => vehicle.mass.is_some(),
+            Self::SprungMass => vehicle.sprung_mass.is_some(),
+            Self::UnsprungMass => vehicle.unsprung_mass.is_some(),
         }
     }
 }

@@ -134,7 +134,7 @@ pub(super) const LOAD: &[Factor] = &[
         symbol: "k_W",
         quantity: Quantity::Stiffness,
         sign: "+ stiffer in jounce",
-        formula: "dF/dz of the vertical force that holds the wheel, by its travel",
+        formula: "dF/dz of the vertical force that holds the wheel, by its travel, the other wheel held",
         source: "Adams/Car, Lotus",
         value: formula!(|pose| pose.load.and_then(|load| load.rate)),
         ..FORCES

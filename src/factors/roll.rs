@@ -12,29 +12,34 @@ use crate::solve::Twist;
 use crate::vector::{Vector, sub};
 
 /// A line in front view: the points (y, z) with `across` y + `up` z = `size`.
-struct Normal<S> {
+pub(super) struct Normal<S> {
     across: S,
     up: S,
     size: S,
 }
 
-/// The normal to the velocity of the body's point in the patch.
-fn normal<S: Real>(patch: Vector<S>, velocity: Vector<S>) -> Normal<S> {
-    let [_, across, up] = velocity;
-    Normal { across, up, size: across * patch[1] + up * patch[2] }
+impl<S: Real> Normal<S> {
+    /// The normal to the velocity of a point.
+    pub(super) fn new(point: Vector<S>, velocity: Vector<S>) -> Self {
+        let [_, across, up] = velocity;
+        Self { across, up, size: across * point[1] + up * point[2] }
+    }
+
+    /// Where two normals meet (y, z).
+    pub(super) fn meeting(&self, other: &Self) -> Option<[S; 2]> {
+        let determinant = self.across * other.up - other.across * self.up;
+        let y = self.size * other.up - other.size * self.up;
+        let z = self.across * other.size - other.across * self.size;
+        Some([quotient(y, determinant, FARTHEST)?, quotient(z, determinant, FARTHEST)?])
+    }
 }
 
-/// Where the normals of both wheels meet (y, z) in ISO axes (m).
+/// Where the normals to the velocities of the bodies' points in both patches meet (y, z).
 fn roll_center<S: Real>(pose: &Pose<S>) -> Option<[S; 2]> {
     let other = pose.other?;
-    let patch = pose.wheel.contact_patch();
-    let own = normal(patch, per_travel(pose)?.at(patch));
-    let across = other.wheel.contact_patch();
-    let others = normal(across, other.travel?.at(across));
-    let determinant = own.across * others.up - others.across * own.up;
-    let y = quotient(own.size * others.up - others.size * own.up, determinant, FARTHEST)?;
-    let z = quotient(own.across * others.size - others.across * own.size, determinant, FARTHEST)?;
-    Some([y, z])
+    let (own, across) = (pose.wheel.contact_patch(), other.wheel.contact_patch());
+    let normal = Normal::new(own, per_travel(pose)?.at(own));
+    normal.meeting(&Normal::new(across, other.travel?.at(across)))
 }
 
 /// The front view is that through the wheel centres at design.
@@ -46,17 +51,21 @@ fn roll_center_x<S: Real>(pose: &Pose<S>) -> Option<S> {
     Some(pose.axes.from_iso([middle, zero, zero])[0])
 }
 
-fn roll_center_y<S: Real>(pose: &Pose<S>) -> Option<S> {
+/// The y of a point in the model's axes.
+pub(super) fn in_model<S: Real>(pose: &Pose<S>, y: S) -> S {
     let zero = S::from_f64(0.0);
-    Some(pose.axes.from_iso([zero, roll_center(pose)?[0], zero])[1])
+    pose.axes.from_iso([zero, y, zero])[1]
 }
 
-/// Height of the roll centre above the line through both patches.
-fn roll_center_height<S: Real>(pose: &Pose<S>) -> Option<S> {
-    let [y, z] = roll_center(pose)?;
-    let (own, other) = (pose.wheel.contact_patch(), pose.other?.wheel.contact_patch());
+/// Height of a point (y, z) above the line through two points.
+pub(super) fn above<S: Real>([own, other]: [Vector<S>; 2], [y, z]: [S; 2]) -> S {
     let slope = (other[2] - own[2]) / (other[1] - own[1]);
-    Some(z - own[2] - slope * (y - own[1]))
+    z - own[2] - slope * (y - own[1])
+}
+
+fn roll_center_height<S: Real>(pose: &Pose<S>) -> Option<S> {
+    let patches = [pose.wheel.contact_patch(), pose.other?.wheel.contact_patch()];
+    Some(above(patches, roll_center(pose)?))
 }
 
 /// A twist of opposite travel: as much more on the own wheel as less on the other.
@@ -80,11 +89,14 @@ fn rolling<S: Real>(pose: &Pose<S>) -> Option<Rolling<S>> {
     // The other wheel moves against it.
     let OtherWheel { wheel: others, travel, across, .. } = other;
     let others = others.moving(&opposed(travel?, across).times(S::from_f64(-1.0)));
-    let distance = sub(others.contact_patch(), wheel.contact_patch());
+    Some(Rolling { wheel, rate: roll_rate(wheel.contact_patch(), others.contact_patch()) })
+}
+
+/// How fast the body rolls against the line through the moving patches.
+pub(super) fn roll_rate<S: Real>(own: Vector<Dual<S>>, other: Vector<Dual<S>>) -> S {
+    let distance = sub(other, own);
     let slope = distance[2] / distance[1];
-    let roll = slope.atan2(Dual::from_f64(1.0));
-    // The body turns against the line through the patches.
-    Some(Rolling { wheel, rate: -roll.derivative })
+    -slope.atan2(Dual::from_f64(1.0)).derivative
 }
 
 fn per_roll<S: Real>(pose: &Pose<S>, rate: impl Fn(Wheel<Dual<S>>) -> S) -> Option<S> {
@@ -127,7 +139,7 @@ pub(super) const ROLL: &[Factor] = &[
         sign: "+ along the model's +y",
         formula: "where the normals to v_P of both wheels meet in front view, y in the model's axes",
         source: "Lotus",
-        value: formula!(roll_center_y),
+        value: formula!(|pose| Some(in_model(pose, roll_center(pose)?[0]))),
         ..CENTER
     },
     Factor {

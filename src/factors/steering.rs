@@ -25,7 +25,7 @@ fn mean_steer<S: Real>(pose: &Pose<S>) -> Option<S> {
 }
 
 /// Distance of the contact patches across the vehicle (m).
-fn track<S: Real>(pose: &Pose<S>) -> Option<S> {
+pub(super) fn track<S: Real>(pose: &Pose<S>) -> Option<S> {
     let other = pose.other?.wheel;
     Some(pose.sigma() * (pose.wheel.contact_patch()[1] - other.contact_patch()[1]))
 }

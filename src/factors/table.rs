@@ -3,7 +3,10 @@
 use thiserror::Error;
 
 use super::definition::Factor;
-use super::{anti, centers, place, ratios, roll, steer_axis, steering, travel, wheel};
+use super::{
+    anti, centers, jacking, lateral, longitudinal, pitch, place, rates, ratios, ride, roll,
+    roll_center, steer_axis, steering, travel, wheel,
+};
 use crate::model::suggest;
 
 /// The parts of the table, in the order of reports.
@@ -32,13 +35,35 @@ const PARTS: &[&[Factor]] = &[
     centers::VIEWS[1],
     centers::VIEWS[2],
     centers::VIEWS[3],
+    centers::VIEWS[4],
+    centers::VIEWS[5],
     anti::ROLL_CENTER,
+    roll_center::ELASTIC,
     anti::ANTI,
     &ratios::SPRING,
     &ratios::DAMPER,
     place::LOAD,
     steering::STEERING,
     roll::ROLL,
+    rates::VERTICAL_RATES,
+    rates::ROLL_RATES,
+    rates::STIFFNESSES,
+    ride::RIDE,
+    ride::ROLL,
+    &lateral::DEFLECTION,
+    &lateral::PATCH_DEFLECTION,
+    &lateral::STEER,
+    &lateral::CAMBER,
+    &lateral::TORQUE_STEER,
+    &lateral::TORQUE_CAMBER,
+    longitudinal::TRACTION,
+    longitudinal::BRAKING,
+    jacking::JACKING,
+    pitch::ANTI,
+    &pitch::DIVE,
+    &pitch::LIFT_BRAKING,
+    &pitch::LIFT_DRIVING,
+    &pitch::SQUAT,
 ];
 
 const fn count() -> usize {
@@ -133,6 +158,12 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("svic", "svic_x"),
     ("trackchange", "half_track_change"),
     ("steer", "steer_angle"),
+    ("rollstiffness", "roll_rate"),
+    ("suspensionrollrate", "roll_rate"),
+    ("ridestiffness", "ride_rate"),
+    ("tirerate", "tyre_rate"),
+    ("treadwidth", "track"),
+    ("jackingforce", "jacking_lateral"),
 ];
 
 /// The factor of a name.

@@ -13,8 +13,12 @@ use crate::vector::{Vector, norm};
 
 /// The motion of the wheel's body per metre of its centre's travel.
 pub(super) fn per_travel<S: Real>(pose: &Pose<S>) -> Option<Twist<S>> {
-    let twist = pose.motions?.travel.wheel;
-    let v = twist.at(pose.wheel.center);
+    by_rise(&pose.motions?.travel.wheel, pose.wheel.center)
+}
+
+/// A motion per metre that a point of its body rises; `None` where it hardly rises.
+pub(super) fn by_rise<S: Real>(twist: &Twist<S>, point: Vector<S>) -> Option<Twist<S>> {
+    let v = twist.at(point);
     quotient(norm(v.map(Real::value)), v[2].value(), NEARLY_PARALLEL)?;
     Some(twist.times(S::from_f64(1.0) / v[2]))
 }

@@ -38,6 +38,21 @@ pub enum Quantity {
     Gradient,
     /// Way along a screw axis by angle, in m/rad inside.
     Pitch,
+    /// Angle by force, in rad/N inside; shown per kN in every model, as all that follow are in the units that
+    /// test rigs print.
+    AngleByForce,
+    /// Length by force, in m/N inside, shown per kN.
+    LengthByForce,
+    /// Angle by moment, in rad/(N·m) inside, shown per kN·m.
+    AngleByTorque,
+    /// Moment by angle, in N·m/rad inside, shown in N·m by angle.
+    RollStiffness,
+    /// Frequency, in Hz inside.
+    Frequency,
+    /// Length by the acceleration of the vehicle in multiples of g, in m inside.
+    LengthByG,
+    /// Angle by the acceleration of the vehicle in multiples of g, in rad inside.
+    AngleByG,
 }
 
 impl Quantity {
@@ -57,8 +72,13 @@ impl Quantity {
             Self::Velocity => [0, 0, 1, 0, -1],
             Self::AngularVelocity => [0, 0, 0, 1, -1],
             Self::Ratio | Self::Percent => [0; 5],
-            Self::Gradient => [0, 0, 0, 1, 0],
             Self::Pitch => [0, 0, 1, -1, 0],
+            Self::Gradient | Self::AngleByForce | Self::AngleByTorque | Self::AngleByG => {
+                [0, 0, 0, 1, 0]
+            }
+            Self::LengthByForce | Self::LengthByG => [0, 0, 1, 0, 0],
+            Self::RollStiffness => [0, 0, 0, -1, 0],
+            Self::Frequency => [0, 0, 0, 0, -1],
         }
     }
 
@@ -74,19 +94,21 @@ impl Quantity {
 
     /// The symbol of its unit, such as `N/mm` or `N·mm/deg`; `1` for a number without dimension.
     pub fn symbol(self, units: Units) -> String {
+        let (length, angle) = (units.length.symbol(), units.angle.symbol());
         match self {
             Self::Ratio => return "1".to_owned(),
             Self::Percent => return "%".to_owned(),
-            Self::Gradient => return format!("{}/m", units.angle.symbol()),
+            Self::Gradient => return format!("{angle}/m"),
+            Self::AngleByForce => return format!("{angle}/kN"),
+            Self::LengthByForce => return format!("{length}/kN"),
+            Self::AngleByTorque => return format!("{angle}/(kN·m)"),
+            Self::RollStiffness => return format!("N·m/{angle}"),
+            Self::Frequency => return "Hz".to_owned(),
+            Self::LengthByG => return format!("{length}/g"),
+            Self::AngleByG => return format!("{angle}/g"),
             _ => {}
         }
-        let symbols = [
-            units.force.symbol(),
-            units.mass.symbol(),
-            units.length.symbol(),
-            units.angle.symbol(),
-            "s",
-        ];
+        let symbols = [units.force.symbol(), units.mass.symbol(), length, angle, "s"];
         let (mut above, mut below) = (vec![], vec![]);
         for (symbol, power) in symbols.into_iter().zip(self.powers()) {
             match power {
@@ -136,10 +158,11 @@ impl Quantity {
     /// The unit in SI units, but for the angle in it.
     fn ratio(self, units: Units) -> (f64, f64) {
         let ratios = [units.force.ratio(), units.mass.ratio(), units.length.ratio()];
-        let mut product = (1.0, 1.0);
-        if self == Self::Percent {
-            return (1.0, 100.0);
-        }
+        let mut product = match self {
+            Self::Percent => (1.0, 100.0),
+            Self::AngleByForce | Self::LengthByForce | Self::AngleByTorque => (1.0, 1000.0),
+            _ => (1.0, 1.0),
+        };
         for ((numerator, denominator), power) in ratios.into_iter().zip(self.powers()) {
             let (times, by) =
                 if power < 0 { (denominator, numerator) } else { (numerator, denominator) };

@@ -15,7 +15,7 @@ use super::names::{Names, Unavailable};
 use super::parts::Parts;
 use super::read::Section;
 use super::units::{AngleUnit, Units};
-use super::{Model, NamedPoint, SpinAxis, load, suggest, vehicle};
+use super::{Model, NamedPoint, SpinAxis, Vehicle, load, suggest, vehicle};
 
 /// A point of the file under its role, in the units and axes of the file.
 struct Placed {
@@ -49,6 +49,10 @@ pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) 
     let (architecture, points, spin) = (architecture?, points?, spin?);
 
     let (points, spans) = to_si(&points, units, axes);
+    let carried = loads.loads(&architecture, units.length.to_metres(*radius.get_ref()));
+    let vehicle = vehicle?;
+    // A quarter car says the same of its only wheel.
+    let vehicle = Vehicle { sprung_mass: vehicle.sprung_mass.or(carried.sprung_mass), ..vehicle };
     let model = Model {
         name: file.name?,
         description: file.description,
@@ -58,9 +62,9 @@ pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) 
         side: *side.get_ref(),
         wheel_radius: units.length.to_metres(*radius.get_ref()),
         spin,
-        vehicle: vehicle?,
+        vehicle,
         points,
-        loads: loads.loads(&architecture, units.length.to_metres(*radius.get_ref())),
+        loads: carried,
         architecture,
     };
     let spin_span = match &file.wheel.spin {

@@ -53,6 +53,12 @@ pub struct Vehicle {
     pub drive_share: Option<f64>,
     /// Where the brakes are.
     pub brakes: Brakes,
+    /// Mass of the whole vehicle (kg).
+    pub mass: Option<f64>,
+    /// Sprung mass that one wheel of this axle carries (kg).
+    pub sprung_mass: Option<f64>,
+    /// Unsprung mass of one wheel of this axle (kg).
+    pub unsprung_mass: Option<f64>,
 }
 
 /// Wheelbases (m) from small models to mining trucks.
@@ -74,8 +80,38 @@ pub(super) fn read(root: &mut Section, parts: &Parts, report: &mut Report) -> Op
     let cg_height = length(&mut section, "cg_height", CG_HEIGHT, parts, report);
     let brake_share = share(&mut section, "brake_share", report);
     let drive_share = share(&mut section, "drive_share", report);
+    let keys = ["mass", "sprung_mass", "unsprung_mass"];
+    let [total, sprung_mass, unsprung_mass] =
+        keys.map(|key| mass(&mut section, key, parts, report));
     section.finish(report);
-    Some(Vehicle { axle: axle?, wheelbase, cg_height, brake_share, drive_share, brakes: brakes? })
+    Some(Vehicle {
+        axle: axle?,
+        wheelbase,
+        cg_height,
+        brake_share,
+        drive_share,
+        brakes: brakes?,
+        mass: total,
+        sprung_mass,
+        unsprung_mass,
+    })
+}
+
+/// A mass (kg) that may be absent.
+fn mass(
+    section: &mut Section,
+    key: &'static str,
+    parts: &Parts,
+    report: &mut Report,
+) -> Option<f64> {
+    let mass = parts.optional_number(section, key, Quantity::Mass, report)?;
+    let (span, value) = (mass.span(), mass.into_inner());
+    if value > 0.0 {
+        return Some(value);
+    }
+    let help = format!("write the mass as a positive number: `{key} = …`");
+    report.mistake(&span, format!("`{key}` must be positive"), "not positive").help(help);
+    None
 }
 
 /// A length (m) that may be absent.

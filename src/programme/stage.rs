@@ -5,8 +5,7 @@ use thiserror::Error;
 use crate::factors::roll_axis;
 use crate::model::{Chassis, Model, Quantity, Setup};
 use crate::rig::{
-    Axle, Event, Held, Hold, LoadPoint, RigError, Supports, Sweep, SweepPlan,
-    Vertical,
+    Axle, Event, Held, Hold, LoadPoint, RigError, Supports, Sweep, SweepPlan, Vertical,
 };
 use crate::solve::Stop;
 

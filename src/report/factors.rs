@@ -96,6 +96,9 @@ impl FactorSheet<'_> {
             symbol = units.length.symbol()
         )?;
         let width = self.shown().map(|factor| factor.name.len()).max().unwrap_or(0);
+        let symbol = |factor: &Factor| factor.quantity.symbol(units);
+        let unit_width =
+            self.shown().map(|factor| symbol(factor).chars().count()).max().unwrap_or(0);
         for subject in Subject::ALL {
             let mut factors = self.shown().filter(|factor| factor.subject == subject).peekable();
             if factors.peek().is_some() {
@@ -105,10 +108,10 @@ impl FactorSheet<'_> {
                 let value = |pose| format!("{:>13}", cell(self.value(factor, pose)));
                 let mut values: Vec<String> = self.wheels(factor).iter().map(value).collect();
                 values.resize(self.poses.len(), " ".repeat(13));
-                let unit = factor.quantity.symbol(units);
+                let unit = symbol(factor);
                 let (name, title, values) = (factor.name, factor.title, values.join(" "));
                 let sign = factor.by(self.convention).sign;
-                writeln!(writer, "  {name:<width$} {values} {unit:<6} {title}; {sign}")?;
+                writeln!(writer, "  {name:<width$} {values} {unit:<unit_width$} {title}; {sign}")?;
             }
         }
         let lacking = self.lacking();
@@ -217,7 +220,8 @@ all that a corner has at one state, `hardpoint sweep MODEL --columns toe,rc_heig
 them along an event.
 
 Formulas are in ISO 8855 axes: x forward, y left, z up. Components are shown in the model's axes.
-Units are those of a model in mm, deg and N; gradients are per metre in every model.
+Units are those of a model in mm, deg and N; in every model gradients are per metre, compliances per kN or
+per kN·m, roll rates in N·m by angle, and dive and its like per g of 9.80665 m/s².
 
 | symbol | meaning |
 |---|---|
@@ -228,11 +232,24 @@ Units are those of a model in mm, deg and N; gradients are per metre in every mo
 | G, H | the steer axis on the ground, z = P_z, and at the height of the wheel centre |
 | v_W, v_P, ω | velocities of the wheel's body at W and at P and its angular velocity, per unit travel of W, the rack held |
 | L, h, β, κ | wheelbase, height of the centre of gravity, shares of braking and driving of the axle, from `[vehicle]` |
+| m, m_s, m_u | mass of the vehicle; sprung and unsprung mass of one wheel, from `[vehicle]` |
+| T | track, the distance of both contact patches |
+| C_ij | compliance matrix of `hardpoint compliance`: displacement i by the unit load j, 1 to 6 (x, y, z, about x, about y, about z) at the left wheel centre, 7 to 12 at the right one |
+| CP_ij | the same at the contact patches, points of the wheels' bodies at the loaded radius |
+| K_t, R_l | rate of the tyre, loaded radius: R − deflection of the tyre under its load; R without a tyre |
 
 Velocities come from the factorised constraints, without differences. Where joints determine the
 position, springs play no part in them; else, as with bushings, they follow the states of
 equilibrium. The virtual steer axis is the screw axis of the wheel's body when the rack moves: with the
 height of the wheel centre held (`vk_`), or with the length of the spring held (`vks_`, as Adams/Car).
+
+Elastic factors come from the compliance matrix of the state, in which the wheels are let go, the rack is
+held and what held the wheels stays on as a dead load. They are written here for the left wheel; of a
+corner, which is alone, C17, C39 and their like are zero. Angles are exact slopes of toe and camber, where the formulas
+of other programs take C6j for toe and C4j for camber; `--convention adams` does so too, in Adams' axes (x rearward, y
+right, z up) and with its numbers. Lateral forces count inboard and aligning torques towards toe-in, so
+that both wheels of a symmetric axle have the same numbers. For a rigid suspension on springs elastic factors are the
+kinematic ones.
 
 A factor has no value, shown as –, where it is not defined:";
 
