@@ -104,6 +104,8 @@ fn forces_out_of_reach_are_told() {
     let stop = corner.hold(Hold::Force(12000.0), 0.0).unwrap_err();
     assert!(matches!(stop.reason, StopReason::NoForce(..)), "{stop}");
     assert!(stop.to_string().contains("N at travel on the way to 12000 N"), "{stop}");
+    let StopReason::NoForce(carried, _) = &stop.reason else { panic!("{stop}") };
+    assert!((6999.0..12000.0).contains(&carried[0].force), "{stop}");
     // Without forces there is none to hold.
     let text = include_str!("../models/lotus-front.toml");
     let model = Model::parse("models/lotus-front.toml", text).unwrap();

@@ -33,6 +33,10 @@ const LEAST_WAY: f64 = 1e-3;
 /// take more.
 const MOST_STEPS: usize = 60;
 
+/// The longest Newton step (m or rad): farther away the rates say nothing, and the way could lead past
+/// the end of a travel.
+const LONGEST: f64 = 0.1;
+
 /// The shortest part of a Newton step.
 const SHORTEST: f64 = 1e-3;
 
@@ -52,62 +56,62 @@ impl Stand {
                 Hold::Force(force) => sought.push((driver, force)),
             }
         }
-        let first = values.len();
+        // Those that are held by forces come last.
         values.extend(sought.iter().map(|&(driver, _)| (driver, self.driver_value(driver))));
-        let mut sum = self.move_to(&values)?;
-        if sought.is_empty() {
-            return Ok(sum);
-        }
+        let report = self.move_to(&values)?;
+        if sought.is_empty() { Ok(report) } else { self.seek(&sought, values, report) }
+    }
+
+    /// Seeks the values of drivers, the last ones of `values`, that have the forces.
+    fn seek(
+        &mut self,
+        sought: &[(DriverId, f64)],
+        mut values: Vec<(DriverId, f64)>,
+        mut sum: StepReport,
+    ) -> Result<StepReport, Stop> {
+        let first = values.len() - sought.len();
         let mut add = |report: StepReport| {
             sum.iterations += report.iterations;
             sum.steps += report.steps;
             sum.relative_residual = report.relative_residual;
         };
-        let mut lacking = self.lacking(&sought);
-        let mut rates = self.rates(&sought);
+        let mut lacking = self.lacking(sought);
+        let mut rates = self.rates(sought);
         let (mut fraction, mut why) = (1.0, None);
         for _ in 0..MOST_STEPS {
             let worst = largest(&lacking);
-            let measure = self.measure(&sought, rates.as_deref());
+            let measure = self.measure(sought, rates.as_deref());
             if worst <= REACHED * measure {
                 return Ok(sum);
             }
             let step = rates.as_ref().and_then(|rates| solved(rates, &lacking));
             let Some(step) = step else { break };
-            let from: Vec<f64> = values[first..].iter().map(|&(_, value)| value).collect();
-            for ((_, value), (from, step)) in values[first..].iter_mut().zip(from.iter().zip(&step))
-            {
-                *value = from + fraction * step;
+            let part = fraction * f64::min(1.0, LONGEST / largest(&step));
+            let before = values.clone();
+            for ((_, value), step) in values[first..].iter_mut().zip(&step) {
+                *value += part * step;
             }
             let moved = self.move_to(&values).map(&mut add);
-            let nearer = moved.is_ok() && largest(&self.lacking(&sought)) < worst;
-            if nearer {
-                lacking = self.lacking(&sought);
-                rates = self.rates(&sought);
+            if moved.is_ok() && largest(&self.lacking(sought)) < worst {
+                lacking = self.lacking(sought);
+                rates = self.rates(sought);
                 fraction = f64::min(1.0, 2.0 * fraction);
                 continue;
             }
-            for ((_, value), from) in values[first..].iter_mut().zip(from) {
-                *value = from;
-            }
-            match self.move_to(&values) {
-                Ok(report) => add(report),
-                Err(stop) => {
-                    why = moved.err().or(Some(stop));
-                    break;
-                }
-            }
-            if worst <= ROUNDING * measure {
+            values = before;
+            let back = self.move_to(&values).map(&mut add);
+            if back.is_ok() && worst <= ROUNDING * measure {
                 return Ok(sum);
             }
             fraction *= 0.5;
-            if fraction < SHORTEST {
-                why = moved.err();
+            if back.is_err() || fraction < SHORTEST {
+                why = moved.and(back).err();
                 break;
             }
         }
-        let forces =
-            sought.iter().map(|&(driver, force)| (driver, self.driver_force(driver), force));
+        // What it carried where it was last in equilibrium, not on the way that failed.
+        let forces = sought.iter().zip(&lacking);
+        let forces = forces.map(|(&(driver, force), lacking)| (driver, force - lacking, force));
         Err(Stop::no_force(self.mechanism(), forces, why))
     }
 
