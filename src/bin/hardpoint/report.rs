@@ -30,22 +30,22 @@ pub struct Report {
     #[arg(long, value_enum)]
     drive: Option<DriveName>,
     /// Bump to both sides [default: 80 mm].
-    #[arg(long, value_name = "B")]
+    #[arg(long, value_name = "B", allow_negative_numbers = true)]
     bump: Option<f64>,
     /// Distance of the states [default: an eighth].
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
     bump_step: Option<f64>,
     /// Roll to both sides [default: 3°].
-    #[arg(long, value_name = "A")]
+    #[arg(long, value_name = "A", allow_negative_numbers = true)]
     roll: Option<f64>,
     /// Distance of the states [default: a tenth].
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
     roll_step: Option<f64>,
     /// Displacement of the rack to both sides [default: 40 mm].
-    #[arg(long, value_name = "R")]
+    #[arg(long, value_name = "R", allow_negative_numbers = true)]
     rack: Option<f64>,
     /// Distance of the states [default: an eighth].
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
     rack_step: Option<f64>,
     /// Write to a file instead of the terminal.
     #[arg(short, long, value_name = "FILE")]

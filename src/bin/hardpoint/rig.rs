@@ -50,19 +50,19 @@ pub struct Rig {
     #[arg(long, value_enum, default_value = "iso")]
     convention: ConventionName,
     /// Travel to both sides, of which opposite and single travel go through half [default: 80 mm].
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
     travel: Option<f64>,
     /// Roll to both sides [default: 3°].
-    #[arg(long, value_name = "A")]
+    #[arg(long, value_name = "A", allow_negative_numbers = true)]
     roll: Option<f64>,
     /// Displacement of the rack to both sides [default: 40 mm].
-    #[arg(long, value_name = "R")]
+    #[arg(long, value_name = "R", allow_negative_numbers = true)]
     rack: Option<f64>,
     /// Forces to both sides [default: 2000 N].
-    #[arg(long, value_name = "F")]
+    #[arg(long, value_name = "F", allow_negative_numbers = true)]
     force: Option<f64>,
     /// Moments to both sides [default: 100 N·m].
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
     moment: Option<f64>,
 }
 
