@@ -63,7 +63,7 @@ impl Equilibrium {
     ) -> Result<Vec<f64>, ComplianceError> {
         let mut free = self.let_go(let_go);
         free.problem.measure();
-        if let Some(Softest { stiffness, motion, holds: false }) = softest(&free) {
+        if let Some(Softest { stiffness, motion, holds: false }) = softest(&free, &[]) {
             return Err(if stiffness < 0.0 {
                 ComplianceError::Unstable { motion, stiffness }
             } else {
