@@ -25,12 +25,12 @@
 //! let sweep = Sweep::run(&mut corner, &plan, |_| {});
 //! assert!(sweep.stops.is_empty());
 //! for row in &sweep.rows {
-//!     let Some(pose) = row.pose else { continue };
+//!     let pose = &row.poses[0];
 //!     let toe = wheel::toe(pose.wheel.spin, pose.side).to_degrees();
 //!     println!("{:6.1} mm  toe {toe:7.4}° (+ toe-in)", pose.travel * 1000.0);
 //! }
 //! # let toe = |k: usize| {
-//! #     let pose = sweep.rows[k].pose.unwrap();
+//! #     let pose = sweep.rows[k].poses[0];
 //! #     wheel::toe(pose.wheel.spin, pose.side).to_degrees()
 //! # };
 //! # assert!((toe(3) - 0.1).abs() < 1e-12 && toe(6) < toe(0));

@@ -100,8 +100,8 @@ fn compare_with_corners(model: &Model, setup: &Setup, tolerance: f64) {
             corner.reset();
             let alone = Sweep::run(corner, &plan, |_| {});
             for (row, expected) in sweep.rows.iter().zip(&alone.rows) {
-                let pose = if index == 0 { row.pose } else { row.right_pose };
-                let (pose, expected) = (pose.unwrap(), expected.pose.unwrap());
+                let pose = row.poses[index];
+                let expected = expected.poses[0];
                 let what = format!("{event:?} at {} on the {}", row.value, pose.side.name());
                 assert_eq!(pose.side, expected.side);
                 same(&what, &numbers(&pose), &numbers(&expected), tolerance);

@@ -4,6 +4,7 @@
 #[path = "common/program.rs"]
 mod program;
 
+use std::collections::HashMap;
 use std::fs;
 
 use program::{column, hardpoint, json, stdout};
@@ -201,4 +202,45 @@ fn wrong_usage_is_told() {
         let found = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
         assert!(found.contains(message), "{arguments:?}: {found}");
     }
+}
+
+/// The states of Adams/Car, both wheels, by its definitions, as a user gets them: 1e-6 mm and 1e-6°.
+#[test]
+fn adams_states_come_by_its_convention() {
+    let text = include_str!("reference/adams-tr-front.csv");
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    let reference: Vec<HashMap<String, f64>> =
+        reader.deserialize().map(|row| row.expect("the table is well-formed")).collect();
+    let mut compared = 0;
+    for rack in ["-5", "0", "5"] {
+        let arguments = ["sweep", "models/adams-tr-front.toml", "--axle", "--convention", "adams"];
+        let columns = "travel,rack,camber,toe,wheel_center_x,wheel_center_y,wheel_center_z";
+        let event = ["--from", "-10", "--to", "10", "--step", "10", "--rack", rack];
+        let more = ["--columns", columns, "--format", "csv"];
+        let table = stdout(&hardpoint(&[&arguments[..], &event, &more].concat()).success());
+        let mut reader = csv::Reader::from_reader(table.as_bytes());
+        for row in reader.deserialize::<HashMap<String, f64>>() {
+            let row = row.expect("every cell is a number");
+            let expected = reference.iter().find(|expected| {
+                expected["wheel_travel_mm"] == row["left_travel_mm"]
+                    && expected["rack_displacement_mm"] == row["rack_mm"]
+            });
+            let expected = expected.expect("Adams has the state");
+            for side in ["left", "right"] {
+                for (ours, theirs) in [
+                    ("camber_deg", "camber_deg"),
+                    ("toe_deg", "toe_deg"),
+                    ("wheel_center_x_mm", "wc_x_mm"),
+                    ("wheel_center_y_mm", "wc_y_mm"),
+                    ("wheel_center_z_mm", "wc_z_mm"),
+                ] {
+                    let found = row[&format!("{side}_{ours}")];
+                    let expected = expected[&format!("{side}_{theirs}")];
+                    assert!((found - expected).abs() <= 1e-6, "{side}_{ours}: {found}, {expected}");
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(compared, 9 * 2 * 5);
 }

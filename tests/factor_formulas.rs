@@ -3,8 +3,11 @@
 
 use hardpoint::factors::{Convention, FACTORS, Factor, Need, find};
 use hardpoint::model::{Axle, Brakes, Drive, Model, Setup, WheelSupport};
-use hardpoint::rig::{Corner, Design, Line, Motion, Motions, Pose, Wheel, WheelLoad};
-use hardpoint::scalar::Dual;
+use hardpoint::rig::{
+    self, Corner, Design, Line, Motion, Motions, OtherWheel, Pose, TyreState, Wheel,
+    WheelCompliance, WheelLoad,
+};
+use hardpoint::scalar::{Dual, Scalar};
 use hardpoint::solve::Twist;
 
 fn model(name: &str) -> Model {
@@ -40,7 +43,7 @@ fn near(name: &str, pose: &Pose<f64>, expected: f64, tolerance: f64) {
 }
 
 /// The pose with every number replaced.
-fn replaced<S>(pose: &Pose<f64>, new: &mut impl FnMut(f64) -> S) -> Pose<S> {
+fn replaced<S: Scalar>(pose: &Pose<f64>, new: &mut impl FnMut(f64) -> S) -> Pose<S> {
     type Vector = [f64; 3];
     fn vector<S>(v: Vector, new: &mut impl FnMut(f64) -> S) -> [S; 3] {
         v.map(new)
@@ -52,10 +55,31 @@ fn replaced<S>(pose: &Pose<f64>, new: &mut impl FnMut(f64) -> S) -> Pose<S> {
         let (center, spin) = (vector(wheel.center, new), vector(wheel.spin, new));
         Wheel { center, spin, radius: new(wheel.radius) }
     }
+    fn twist<S>(twist: Twist<f64>, new: &mut impl FnMut(f64) -> S) -> Twist<S> {
+        let Twist { velocity, rotation } = twist;
+        Twist { velocity: vector(velocity, new), rotation: vector(rotation, new) }
+    }
+    // Newtons and metres per newton are replaced in such units that their numbers are near one.
+    fn in_unit<S: Scalar>(unit: f64, value: f64, new: &mut impl FnMut(f64) -> S) -> S {
+        S::from_f64(unit) * new(value / unit)
+    }
+    fn load<S: Scalar>(load: WheelLoad<f64>, new: &mut impl FnMut(f64) -> S) -> WheelLoad<S> {
+        let rate = load.rate.map(|rate| in_unit(1e4, rate, new));
+        WheelLoad { force: in_unit(1e3, load.force, new), rate }
+    }
+    fn tyre<S: Scalar>(tyre: TyreState<f64>, new: &mut impl FnMut(f64) -> S) -> TyreState<S> {
+        TyreState { rate: in_unit(1e5, tyre.rate, new), deflection: new(tyre.deflection) }
+    }
+    fn compliance<S: Scalar>(
+        compliance: WheelCompliance<f64>,
+        new: &mut impl FnMut(f64) -> S,
+    ) -> WheelCompliance<S> {
+        let mut block = |block: [[f64; 6]; 6]| block.map(|row| row.map(|v| in_unit(1e-4, v, new)));
+        WheelCompliance { own: block(compliance.own), across: block(compliance.across) }
+    }
     fn motion<S>(motion: Motion<f64>, new: &mut impl FnMut(f64) -> S) -> Motion<S> {
-        let Twist { velocity, rotation } = motion.wheel;
         Motion {
-            wheel: Twist { velocity: vector(velocity, new), rotation: vector(rotation, new) },
+            wheel: twist(motion.wheel, new),
             steer_axis: motion.steer_axis.map(|rates| line(rates, new)),
             spring: motion.spring.map(|rates| line(rates, new)),
         }
@@ -74,10 +98,21 @@ fn replaced<S>(pose: &Pose<f64>, new: &mut impl FnMut(f64) -> S) -> Pose<S> {
         motions: pose.motions.map(|motions| Motions {
             travel: motion(motions.travel, new),
             rack: motions.rack.map(|rack| motion(rack, new)),
+            across: motions.across.map(|across| twist(across, new)),
         }),
-        load: pose
-            .load
-            .map(|load| WheelLoad { force: new(load.force), rate: load.rate.map(&mut *new) }),
+        load: pose.load.map(|own| load(own, new)),
+        tyre: pose.tyre.map(|own| tyre(own, new)),
+        compliance: pose.compliance.map(|own| compliance(own, new)),
+        other: pose.other.map(|other| OtherWheel {
+            wheel: wheel(other.wheel, new),
+            design: wheel(other.design, new),
+            travel: other.travel.map(|motion| twist(motion, new)),
+            across: other.across.map(|motion| twist(motion, new)),
+            rack: other.rack.map(|motion| twist(motion, new)),
+            load: other.load.map(|own| load(own, new)),
+            tyre: other.tyre.map(|own| tyre(own, new)),
+            compliance: other.compliance.map(|own| compliance(own, new)),
+        }),
         vehicle: pose.vehicle,
         side: pose.side,
         axes: pose.axes,
@@ -88,14 +123,18 @@ fn replaced<S>(pose: &Pose<f64>, new: &mut impl FnMut(f64) -> S) -> Pose<S> {
 /// differences of the fourth order along the same random direction of all numbers of a pose.
 #[test]
 fn derivatives_of_all_formulas_are_exact() {
-    let mut quarter = model("quarter-car");
-    quarter.vehicle = model("double-wishbone").vehicle;
-    let mut rear = quarter.mirrored();
+    let mut front = model("sedan-axle");
+    front.vehicle = model("double-wishbone").vehicle;
+    let mut rear = front.mirrored();
     rear.vehicle.axle = Some(Axle::Rear);
     rear.vehicle.brakes = Brakes::Inboard;
     let mut compared = 0;
-    for (seed, model) in [quarter, rear].iter().enumerate() {
-        let base = pose(model, 0.04, 0.01);
+    for (seed, model) in [front, rear].iter().enumerate() {
+        let mut axle = rig::Axle::new(model, &Setup::default()).unwrap();
+        axle.measure_compliance(true);
+        axle.move_to([0.04, 0.03], 0.01).unwrap();
+        let base = axle.poses()[seed];
+        assert!(base.compliance.is_some() && base.tyre.is_some());
         let along = |h: f64| {
             let mut rng = fastrand::Rng::with_seed(seed as u64);
             replaced(&base, &mut |value| value + h * (rng.f64() - 0.5))
@@ -103,7 +142,7 @@ fn derivatives_of_all_formulas_are_exact() {
         let mut rng = fastrand::Rng::with_seed(seed as u64);
         let dual = replaced(&base, &mut |value| Dual::new(value, rng.f64() - 0.5));
         for factor in FACTORS.iter().filter(|factor| factor.applies(&base)) {
-            for convention in [Convention::Iso, Convention::Lotus] {
+            for convention in [Convention::Iso, Convention::Adams, Convention::Lotus] {
                 let formula = factor.by(convention).value;
                 let plain = |h: f64| (formula.plain)(&along(h)).expect(factor.name);
                 let h = 1e-4;
@@ -124,7 +163,7 @@ fn derivatives_of_all_formulas_are_exact() {
             }
         }
     }
-    assert!(compared > 4 * (FACTORS.len() - 10));
+    assert!(compared > 6 * (FACTORS.len() - 10));
 }
 
 /// Gradients are the slopes of what a sweep shows.

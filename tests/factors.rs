@@ -24,7 +24,7 @@ fn poses(model: &Model, drive: Drive, range: f64, step: f64) -> Vec<Pose<f64>> {
     let plan = SweepPlan { event, from: -range, to: range, step, held };
     let sweep = Sweep::run(&mut corner, &plan, |_| {});
     assert!(sweep.stops.is_empty(), "{:?}", sweep.stops);
-    sweep.rows.iter().map(|row| row.pose.expect("a corner has a wheel")).collect()
+    sweep.rows.iter().map(|row| row.poses[0]).collect()
 }
 
 /// The factor of a column of the sedan's reference, and what its mirror image does to the sign.

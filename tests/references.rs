@@ -24,7 +24,7 @@ fn factor(model: &Model, pose: &Pose<f64>, name: &str) -> f64 {
 }
 
 fn pose(row: &Row) -> Pose<f64> {
-    row.pose.expect("a corner has a wheel")
+    row.poses[0]
 }
 
 #[track_caller]

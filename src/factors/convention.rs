@@ -6,7 +6,7 @@ pub enum Convention {
     /// ISO 8855.
     #[default]
     Iso,
-    /// Adams/Car. Of the kinematic factors all are those of ISO 8855.
+    /// Adams/Car.
     Adams,
     /// Lotus Suspension Analysis.
     Lotus,

@@ -31,11 +31,15 @@ pub enum Subject {
     Spring,
     /// Wheel load.
     Load,
+    /// Steering of both wheels.
+    Steering,
+    /// Roll of the axle.
+    Roll,
 }
 
 impl Subject {
     /// All of them, in the order of reports.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 13] = [
         Self::Place,
         Self::Orientation,
         Self::SteerAxis,
@@ -47,6 +51,8 @@ impl Subject {
         Self::Anti,
         Self::Spring,
         Self::Load,
+        Self::Steering,
+        Self::Roll,
     ];
 
     /// A heading.
@@ -63,8 +69,20 @@ impl Subject {
             Self::Anti => "Anti-dive, anti-lift, anti-squat",
             Self::Spring => "Spring and motion ratios",
             Self::Load => "Wheel load",
+            Self::Steering => "Steering of the axle",
+            Self::Roll => "Roll of the axle",
         }
     }
+}
+
+/// What a factor is a property of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Scope {
+    /// Each wheel has its own value.
+    #[default]
+    Wheel,
+    /// The axle has one value; either wheel of it gives the same.
+    Axle,
 }
 
 /// A formula, for numbers and for dual numbers. The value is in m, rad, N or without dimension.
@@ -120,6 +138,10 @@ pub struct Factor {
     pub value: Formula,
     /// What Lotus defines otherwise.
     pub lotus: Option<Definition>,
+    /// What Adams/Car defines otherwise.
+    pub adams: Option<Definition>,
+    /// Whether it belongs to a wheel or to an axle.
+    pub scope: Scope,
     /// What a model or a state needs to have the factor.
     pub needs: &'static [Need],
     /// The axle that alone has the factor.
@@ -139,21 +161,25 @@ impl Factor {
         source: "",
         value: formula!(|_| None),
         lotus: None,
+        adams: None,
+        scope: Scope::Wheel,
         needs: &[],
         axle: None,
     };
 
     /// The definition by a convention.
     pub fn by(&self, convention: Convention) -> Definition {
-        match (convention, self.lotus) {
-            (Convention::Lotus, Some(lotus)) => lotus,
-            _ => Definition {
-                sign: self.sign,
-                formula: self.formula,
-                source: self.source,
-                value: self.value,
-            },
-        }
+        let own = match convention {
+            Convention::Iso => None,
+            Convention::Adams => self.adams,
+            Convention::Lotus => self.lotus,
+        };
+        own.unwrap_or(Definition {
+            sign: self.sign,
+            formula: self.formula,
+            source: self.source,
+            value: self.value,
+        })
     }
 
     /// The name of its column: name and unit.
@@ -183,6 +209,11 @@ impl Factor {
             (Some(only), Some(axle)) => only == axle,
             _ => true,
         }
+    }
+
+    /// Whether the factor belongs to both wheels together.
+    pub fn is_of_axle(&self) -> bool {
+        self.scope == Scope::Axle
     }
 
     /// What the state lacks to have this factor.

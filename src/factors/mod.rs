@@ -26,14 +26,16 @@ mod definition;
 mod need;
 mod place;
 mod ratios;
+mod roll;
 mod screw;
 mod steer_axis;
+mod steering;
 mod table;
 mod travel;
 pub mod wheel;
 
 pub use convention::Convention;
-pub use definition::{Definition, Factor, Formula, Subject};
+pub use definition::{Definition, Factor, Formula, Scope, Subject};
 pub use need::Need;
 pub use table::{BASIC, FACTORS, UnknownFactor, basic, find};
 

@@ -7,6 +7,12 @@ use crate::rig::Pose;
 pub enum Need {
     /// Tangents: a wheel that is held at its height.
     HeldWheel,
+    /// A compliance matrix.
+    Compliance,
+    /// Both wheels of an axle.
+    BothWheels,
+    /// A tyre.
+    Tyre,
     /// A rack.
     Rack,
     /// A steer axis through two joints.
@@ -32,6 +38,11 @@ impl Need {
     pub const fn words(self) -> &'static str {
         match self {
             Self::HeldWheel => "a wheel that is held at its height, off a dead centre",
+            Self::Compliance => {
+                "a compliance matrix: forces that hold the wheel where the rig lets it go"
+            }
+            Self::BothWheels => "both wheels: the option --axle",
+            Self::Tyre => "a section [tyre], and forces that give the load on it",
             Self::Rack => "a rack",
             Self::SteerAxis => "a steer axis through two joints, [steer_axis] of the architecture",
             Self::Spring => {
@@ -50,6 +61,9 @@ impl Need {
     pub const fn label(self) -> &'static str {
         match self {
             Self::HeldWheel => "held wheel",
+            Self::Compliance => "compliance",
+            Self::BothWheels => "both wheels",
+            Self::Tyre => "tyre",
             Self::Rack => "rack",
             Self::SteerAxis => "steer axis",
             Self::Spring => "spring",
@@ -67,6 +81,9 @@ impl Need {
         let vehicle = &pose.vehicle;
         match self {
             Self::HeldWheel => pose.motions.is_some(),
+            Self::Compliance => pose.compliance.is_some(),
+            Self::BothWheels => pose.other.is_some(),
+            Self::Tyre => pose.tyre.is_some(),
             Self::Rack => pose.motions.is_some_and(|motions| motions.rack.is_some()),
             Self::SteerAxis => pose.steer_axis.is_some(),
             Self::Spring => pose.spring.is_some(),

@@ -1,7 +1,7 @@
 //! Where the wheel is, and its load.
 
 use super::Factor;
-use super::definition::{Subject, components, formula};
+use super::definition::{Scope, Subject, components, formula};
 use super::need::Need;
 use crate::model::{Axle, Quantity};
 use crate::rig::Pose;
@@ -29,6 +29,7 @@ pub(super) const DRIVES: &[Factor] = &[
         formula: "displacement of the rack from design",
         source: "Adams/Car",
         value: formula!(|pose| Some(pose.rack)),
+        scope: Scope::Axle,
         ..PLACE
     },
 ];

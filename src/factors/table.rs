@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use super::definition::Factor;
-use super::{anti, centers, place, ratios, steer_axis, travel, wheel};
+use super::{anti, centers, place, ratios, roll, steer_axis, steering, travel, wheel};
 use crate::model::suggest;
 
 /// The parts of the table, in the order of reports.
@@ -36,6 +36,8 @@ const PARTS: &[&[Factor]] = &[
     anti::ANTI,
     ratios::SPRING,
     place::LOAD,
+    steering::STEERING,
+    roll::ROLL,
 ];
 
 const fn count() -> usize {

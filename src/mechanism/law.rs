@@ -131,6 +131,24 @@ impl Law {
         if self.is_idle(value) { 0.0 } else { self.preload + self.elastic.at(value).value }
     }
 
+    /// The value Φ at which the part of the force that is at rest has a size, found from Φ = 0; `None` where no
+    /// value near there has it.
+    pub fn value_under(&self, force: f64) -> Option<f64> {
+        let mut value = 0.0;
+        for _ in 0..50 {
+            let elastic = self.elastic.at(value);
+            let step = (force - self.preload - elastic.value) / elastic.first;
+            value += step;
+            if !value.is_finite() {
+                return None;
+            }
+            if step.abs() <= 1e-14 * (1.0 + value.abs()) {
+                return Some(value);
+            }
+        }
+        None
+    }
+
     /// The potential energy (J) of [`Self::conservative`], zero at Φ = 0.
     pub fn potential(&self, value: f64) -> f64 {
         if self.is_idle(value) {
@@ -210,6 +228,18 @@ mod tests {
                 assert_eq!(law.potential(0.0), 0.0);
             }
         }
+    }
+
+    #[test]
+    fn the_value_under_a_force_has_that_force() {
+        let table = vec![[-0.04, -9000.0], [-0.02, -4200.0], [0.0, 0.0], [0.01, 1900.0]];
+        let table = Curve::Table(Spline::new("tyre", table).unwrap());
+        for elastic in [Curve::Linear(2e5), table] {
+            let law = Law { elastic, acts: Acts::Below, ..Law::default() };
+            let value = law.value_under(-5000.0).unwrap();
+            assert!((law.at(value, 0.0).force + 5000.0).abs() < 1e-8);
+        }
+        assert_eq!(Law::default().value_under(-1.0), None);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
 use super::{Model, SpinAxis, SteerAxis, TyreContact, mean};
 use crate::mechanism::{
     Acts, BodyId, Contact, Curve, Direction, DriverId, DriverKind, Force, ForceId, ForceKind,
-    JointKind, MassProperties, Mechanism, MechanismError, PointId,
+    JointKind, Law, MassProperties, Mechanism, MechanismError, PointId,
 };
 
 /// A mechanism together with what makes it a suspension, in SI units and ISO 8855 axes.
@@ -206,6 +206,11 @@ impl Model {
     }
 
     /// The tyre as a force element with the numbers of the architecture.
+    /// The law of the tyre: its value is minus the deflection (m).
+    pub fn tyre_law(&self) -> Option<&Law> {
+        self.loads.tyre.as_ref().map(|tyre| &tyre.law)
+    }
+
     pub(super) fn tyre_force(&self) -> Option<Force> {
         let tyre = self.loads.tyre.as_ref()?;
         let WheelRole { body, center } = self.architecture.wheel;

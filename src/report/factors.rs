@@ -23,24 +23,26 @@ pub struct FactorSheet<'a> {
     pub drive: Drive,
     /// By whose definitions.
     pub convention: Convention,
-    /// The state.
-    pub pose: &'a Pose<f64>,
+    /// The state: one wheel of a corner, left and right of an axle.
+    pub poses: &'a [Pose<f64>],
 }
 
 impl FactorSheet<'_> {
-    /// The factors that the corner has, whether or not they are defined at this state.
+    /// The factors that the suspension has, whether or not they are defined at this state.
     fn shown(&self) -> impl Iterator<Item = &'static Factor> {
-        let has = |factor: &&Factor| {
-            factor.applies(self.pose) && factor.missing(self.pose).next().is_none()
+        let has = |pose: &Pose<f64>, factor: &Factor| {
+            factor.applies(pose) && factor.missing(pose).next().is_none()
         };
-        FACTORS.iter().filter(has)
+        FACTORS.iter().filter(move |factor| self.poses.iter().any(|pose| has(pose, factor)))
     }
 
-    /// What the corner lacks, and the factors that need it.
+    /// What the suspension lacks, and the factors that need it.
     fn lacking(&self) -> Vec<(Vec<Need>, Vec<&'static str>)> {
         let mut groups: Vec<(Vec<Need>, Vec<&'static str>)> = vec![];
-        for factor in FACTORS.iter().filter(|factor| factor.applies(self.pose)) {
-            let missing: Vec<Need> = factor.missing(self.pose).collect();
+        for factor in FACTORS {
+            let of = |pose: &Pose<f64>| factor.missing(pose).collect::<Vec<Need>>();
+            let poses = self.poses.iter().filter(|pose| factor.applies(pose));
+            let Some(missing) = poses.map(of).min_by_key(Vec::len) else { continue };
             match groups.iter_mut().find(|(needs, _)| *needs == missing) {
                 _ if missing.is_empty() => {}
                 Some((_, names)) => names.push(factor.name),
@@ -50,26 +52,47 @@ impl FactorSheet<'_> {
         groups
     }
 
-    fn value(&self, factor: &Factor) -> Option<f64> {
-        factor.show_by(self.convention, self.units, self.pose).map(rounded)
+    /// The wheels for which a factor is shown: one where the axle has it.
+    fn wheels(&self, factor: &Factor) -> &[Pose<f64>] {
+        if factor.is_of_axle() { &self.poses[..1] } else { self.poses }
+    }
+
+    fn value(&self, factor: &Factor, pose: &Pose<f64>) -> Option<f64> {
+        factor.show_by(self.convention, self.units, pose).map(rounded)
+    }
+
+    /// The side of a value, where there are two.
+    fn side(&self, factor: &Factor, pose: &Pose<f64>) -> Option<&'static str> {
+        (self.wheels(factor).len() > 1).then(|| pose.side.name())
+    }
+
+    /// Which wheels, for a heading.
+    fn what(&self) -> String {
+        match self.poses {
+            [pose] => format!("{} side", pose.side.name()),
+            _ => "axle".to_owned(),
+        }
     }
 
     /// Writes the factors grouped by subject, with unit and sign rule; an undefined one is a dash.
+    /// An axle has two columns of values, left and right, and one value in the first where
+    /// both wheels have it together.
     ///
     /// # Errors
     /// What the writer says.
     pub fn write_table(&self, mut writer: impl io::Write) -> io::Result<()> {
-        let Self { name, units, pose, .. } = *self;
-        let (side, axes) = (pose.side.name(), pose.axes.name());
-        let convention = self.convention.name();
-        writeln!(writer, "{name}, {side} side, {axes} axes, definitions of {convention}")?;
+        let Self { name, units, .. } = *self;
+        let Some(first) = self.poses.first() else { return Ok(()) };
+        let (what, axes, convention) = (self.what(), first.axes.name(), self.convention.name());
+        writeln!(writer, "{name}, {what}, {axes} axes, definitions of {convention}")?;
         let length = |metres| cell(Some(units.length.from_metres(metres)));
+        let travels: Vec<String> = self.poses.iter().map(|pose| length(pose.travel)).collect();
         writeln!(
             writer,
             "travel {} {symbol} of the {}, rack {} {symbol}",
-            length(pose.travel),
+            travels.join(" and "),
             self.drive.words(),
-            length(pose.rack),
+            length(first.rack),
             symbol = units.length.symbol()
         )?;
         let width = self.shown().map(|factor| factor.name.len()).max().unwrap_or(0);
@@ -79,16 +102,18 @@ impl FactorSheet<'_> {
                 writeln!(writer, "\n{}", subject.title())?;
             }
             for factor in factors {
-                let value = cell(self.value(factor));
+                let value = |pose| format!("{:>13}", cell(self.value(factor, pose)));
+                let mut values: Vec<String> = self.wheels(factor).iter().map(value).collect();
+                values.resize(self.poses.len(), " ".repeat(13));
                 let unit = factor.quantity.symbol(units);
-                let (name, title) = (factor.name, factor.title);
+                let (name, title, values) = (factor.name, factor.title, values.join(" "));
                 let sign = factor.by(self.convention).sign;
-                writeln!(writer, "  {name:<width$} {value:>13} {unit:<6} {title}; {sign}")?;
+                writeln!(writer, "  {name:<width$} {values} {unit:<6} {title}; {sign}")?;
             }
         }
         let lacking = self.lacking();
         if !lacking.is_empty() {
-            writeln!(writer, "\nNot shown, because the model lacks something")?;
+            writeln!(writer, "\nNot shown, because something is lacking")?;
         }
         for (needs, names) in lacking {
             writeln!(writer, "  {}: add {}", names.join(", "), words(&needs))?;
@@ -96,7 +121,8 @@ impl FactorSheet<'_> {
         Ok(())
     }
 
-    /// Writes one line for each factor, to 15 significant digits; an undefined value is empty.
+    /// Writes one line for each value, to 15 significant digits; an undefined value is empty. Of an
+    /// axle the names begin with the side, as the columns of sweeps.
     ///
     /// # Errors
     /// What the writer says.
@@ -106,10 +132,16 @@ impl FactorSheet<'_> {
             |fields: [&str; 7]| csv.write_record(fields).map_err(super::csv::of_the_writer);
         record(["name", "value", "unit", "title", "sign", "formula", "source"])?;
         for factor in self.shown() {
-            let value = self.value(factor).map_or_else(String::new, |value| value.to_string());
             let Definition { sign, formula, source, .. } = factor.by(self.convention);
             let unit = factor.quantity.symbol(self.units);
-            record([factor.name, &value, &unit, factor.title, sign, formula, source])?;
+            for pose in self.wheels(factor) {
+                let value = self.value(factor, pose).map_or_else(String::new, |v| v.to_string());
+                let name = match self.side(factor, pose) {
+                    Some(side) => format!("{side}_{}", factor.name),
+                    None => factor.name.to_owned(),
+                };
+                record([&name, &value, &unit, factor.title, sign, formula, source])?;
+            }
         }
         csv.flush()
     }
@@ -124,15 +156,24 @@ impl FactorSheet<'_> {
     }
 
     fn json(&self) -> Value {
-        let Self { units, pose, .. } = *self;
+        let units = self.units;
         let factor = |factor: &'static Factor| {
             let Definition { sign, formula, source, .. } = factor.by(self.convention);
+            let value = match self.wheels(factor) {
+                [pose] => json!(self.value(factor, pose)),
+                wheels => {
+                    let of = |pose: &Pose<f64>| {
+                        (pose.side.name().to_owned(), json!(self.value(factor, pose)))
+                    };
+                    Value::Object(wheels.iter().map(of).collect())
+                }
+            };
             json!({
                 "name": factor.name,
                 "subject": factor.subject.title(),
                 "title": factor.title,
                 "symbol": factor.symbol,
-                "value": self.value(factor),
+                "value": value,
                 "unit": factor.quantity.symbol(units),
                 "sign": sign,
                 "formula": formula,
@@ -140,14 +181,22 @@ impl FactorSheet<'_> {
             })
         };
         let lacking = |(needs, names): (Vec<Need>, Vec<&str>)| json!({ "factors": names, "need": words(&needs) });
+        let travel = |pose: &Pose<f64>| json!(rounded(units.length.from_metres(pose.travel)));
+        let first = self.poses.first();
         json!({
             "model": self.name,
-            "side": pose.side.name(),
-            "axes": pose.axes.name(),
+            "side": match self.poses {
+                [pose] => pose.side.name(),
+                _ => "both",
+            },
+            "axes": first.map(|pose| pose.axes.name()),
             "convention": self.convention.name(),
             "drive": self.drive.name(),
-            "travel": rounded(units.length.from_metres(pose.travel)),
-            "rack": rounded(units.length.from_metres(pose.rack)),
+            "travel": match self.poses {
+                [pose] => travel(pose),
+                poses => poses.iter().map(travel).collect(),
+            },
+            "rack": first.map(|pose| rounded(units.length.from_metres(pose.rack))),
             "length_unit": units.length.symbol(),
             "factors": self.shown().map(factor).collect::<Vec<_>>(),
             "not_shown": self.lacking().into_iter().map(lacking).collect::<Vec<_>>(),
@@ -207,8 +256,7 @@ pub fn write_definitions(mut writer: impl io::Write) -> io::Result<()> {
     )?;
     writeln!(
         writer,
-        "`--convention` follows another program where it defines otherwise: rows marked *lotus*. Adams/Car\n\
-         defines all of these factors as ISO 8855 does."
+        "`--convention` follows another program where it defines otherwise: rows marked *adams* or *lotus*."
     )?;
     for subject in Subject::ALL {
         writeln!(writer, "\n## {}\n", subject.title())?;
@@ -219,7 +267,11 @@ pub fn write_definitions(mut writer: impl io::Write) -> io::Result<()> {
             let unit = quantity.symbol(units);
             let needs: Vec<&str> = factor.needs.iter().map(|need| need.label()).collect();
             let needs = needs.join(", ");
-            let rows = [(Some(factor.by(Convention::Iso)), ""), (factor.lotus, ", *lotus*")];
+            let rows = [
+                (Some(factor.by(Convention::Iso)), ""),
+                (factor.adams, ", *adams*"),
+                (factor.lotus, ", *lotus*"),
+            ];
             for (definition, mark) in rows {
                 let Some(Definition { sign, formula, source, .. }) = definition else { continue };
                 writeln!(

@@ -15,7 +15,7 @@ pub use statics::StaticsReport;
 
 use crate::factors::{Convention, Definition, Factor, basic};
 use crate::model::{Axes, Drive, Quantity, Side, Units};
-use crate::rig::{Event, Pose, Row, Sweep, SweepPlan};
+use crate::rig::{Event, Row, Sweep, SweepPlan};
 
 /// A sweep and all that is needed to show it.
 #[derive(Clone, Copy)]
@@ -59,27 +59,11 @@ struct Column {
     from: From,
 }
 
-/// Which pose of a row.
-#[derive(Clone, Copy)]
-enum Wheel {
-    First,
-    Right,
-}
-
-impl Wheel {
-    fn pose(self, row: &Row) -> Option<&Pose<f64>> {
-        match self {
-            Self::First => row.pose.as_ref(),
-            Self::Right => row.right_pose.as_ref(),
-        }
-    }
-}
-
 /// Where the values of a column come from.
 #[derive(Clone, Copy)]
 enum From {
-    /// A factor on the left or the only side, or one on the right of an axle.
-    Factor(&'static Factor, Wheel),
+    /// A factor of one wheel, by its place in the poses of a row.
+    Factor(&'static Factor, usize),
     /// The value of the plan.
     Plan,
     Channel(usize),
@@ -114,13 +98,12 @@ impl SweepReport<'_> {
             });
         }
         if let [left, right] = self.sides {
-            // The rack is the same on both sides.
-            columns.extend(self.factors("", Wheel::First, |factor| factor.name == "rack"));
-            for (side, wheel) in [(left, Wheel::First), (right, Wheel::Right)] {
-                columns.extend(self.factors(side.name(), wheel, |factor| factor.name != "rack"));
+            columns.extend(self.factors("", 0, Factor::is_of_axle));
+            for (wheel, side) in [left, right].into_iter().enumerate() {
+                columns.extend(self.factors(side.name(), wheel, |factor| !factor.is_of_axle()));
             }
         } else {
-            columns.extend(self.factors("", Wheel::First, |_| true));
+            columns.extend(self.factors("", 0, |_| true));
         }
         let joints = match (self.reactions, self.factors) {
             (true, _) => usize::MAX,
@@ -144,11 +127,11 @@ impl SweepReport<'_> {
     fn factors(
         &self,
         side: &str,
-        wheel: Wheel,
+        wheel: usize,
         chosen: impl Fn(&Factor) -> bool,
     ) -> impl Iterator<Item = Column> {
         let has = |factor: &&Factor| {
-            let mut poses = self.sweep.rows.iter().filter_map(|row| wheel.pose(row));
+            let mut poses = self.sweep.rows.iter().filter_map(|row| row.poses.get(wheel));
             let shown = self.sweep.rows.is_empty() && !self.sides.is_empty();
             shown || poses.any(|pose| factor.value(self.convention, pose).is_some())
         };
@@ -177,7 +160,7 @@ impl SweepReport<'_> {
 
     /// Why columns that were asked for are empty, in words.
     pub fn empty_columns(&self) -> Vec<String> {
-        let Some(pose) = self.sweep.rows.iter().find_map(|row| row.pose.as_ref()) else {
+        let Some(pose) = self.sweep.rows.iter().find_map(|row| row.poses.first()) else {
             return vec![];
         };
         let why = |factor: &&Factor| {
@@ -196,7 +179,9 @@ impl SweepReport<'_> {
     fn values(&self, columns: &[Column], row: &Row) -> Vec<Option<f64>> {
         let units = self.units;
         let value = |column: &Column| match column.from {
-            From::Factor(factor, wheel) => factor.show_by(self.convention, units, wheel.pose(row)?),
+            From::Factor(factor, wheel) => {
+                factor.show_by(self.convention, units, row.poses.get(wheel)?)
+            }
             From::Plan => Some(column.quantity.show(units, row.value)),
             From::Channel(channel) => Some(column.quantity.show(units, row.channels[channel])),
         };

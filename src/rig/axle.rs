@@ -9,6 +9,7 @@ use super::station::Station;
 use super::sweep::{Specimen, SweepPlan};
 use crate::mechanism::Force;
 use crate::model::{AxleSide, AxleSuspension, Model, Setup, Side, WheelSupport};
+use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop};
 
@@ -24,6 +25,7 @@ pub struct Axle {
     load: [Load; 2],
     own_forces: usize,
     elements: Vec<Channel>,
+    measures_compliance: bool,
 }
 
 impl Axle {
@@ -84,15 +86,16 @@ impl Axle {
             Some(_) => stand.model_channels(own_forces, &suspension.sides.map(|part| part.travel)),
             None => vec![],
         };
-        let rack = suspension.rack;
+        let station = |side| Station::of_axle(&suspension, side, model, setup);
         Ok(Self {
-            stations: suspension.sides.map(|part| Station::of_axle(&part, rack, model, setup)),
+            stations: [station(Side::Left), station(Side::Right)],
             load: [Load::default(); 2],
             elements,
             suspension,
             stand,
             loads,
             own_forces,
+            measures_compliance: false,
         })
     }
 
@@ -180,10 +183,44 @@ impl Axle {
         &self.elements
     }
 
+    /// Sets whether [`Self::poses`] measure how the wheels give way to loads.
+    pub fn measure_compliance(&mut self, measures: bool) {
+        self.measures_compliance = measures;
+    }
+
     /// Where wheel, steer axis and spring of one side are, how they move, and what the wheel carries. Motion
     /// and rate are those with the other wheel held.
     pub fn pose(&mut self, side: Side) -> Pose<f64> {
-        self.stations[side.index()].pose(&mut self.stand, &self.suspension.mechanism)
+        let [left, right] = self.poses();
+        match side {
+            Side::Left => left,
+            Side::Right => right,
+        }
+    }
+
+    /// Where wheel, steer axis and spring of one side are at a state of the mechanism, as
+    /// [`Corner::pose_at`](super::Corner::pose_at).
+    ///
+    /// # Panics
+    /// If the state belongs to another mechanism.
+    pub fn pose_at(&self, side: Side, state: &[Coordinates<f64>]) -> Pose<f64> {
+        self.stations[side.index()].pose_at(&self.stand, state)
+    }
+
+    /// The left and the right wheel, each knowing of the other, and how they give way where that
+    /// is measured.
+    pub fn poses(&mut self) -> [Pose<f64>; 2] {
+        let Self { stations, stand, suspension, .. } = self;
+        let mut poses = [0, 1].map(|side| stations[side].pose(stand, &suspension.mechanism));
+        if self.measures_compliance && poses[0].motions.is_some() {
+            let matrix = self.compliance().ok();
+            for (wheel, pose) in poses.iter_mut().enumerate() {
+                pose.compliance = matrix.as_ref().map(|matrix| matrix.of_wheel(wheel));
+            }
+        }
+        let [left, right] = poses.map(|pose| pose.as_other());
+        (poses[0].other, poses[1].other) = (Some(right), Some(left));
+        poses
     }
 }
 
@@ -198,12 +235,8 @@ impl Specimen for Axle {
         Self::reset(self);
     }
 
-    fn pose(&mut self) -> Option<Pose<f64>> {
-        Some(Self::pose(self, Side::Left))
-    }
-
-    fn right_pose(&mut self) -> Option<Pose<f64>> {
-        Some(Self::pose(self, Side::Right))
+    fn poses(&mut self) -> Vec<Pose<f64>> {
+        Self::poses(self).to_vec()
     }
 
     fn element_channels(&self) -> &[Channel] {

@@ -3,7 +3,7 @@
 use super::axle::Axle;
 use super::corner::Corner;
 use super::load::LoadPoint;
-use super::pose::Pose;
+use super::pose::{Pose, WheelCompliance};
 use crate::mechanism::{BodyId, DriverId, PointId};
 use crate::model::{AxleSide, Side, Suspension, Wheel};
 use crate::solve::compliance::{ComplianceError, WRENCH};
@@ -50,6 +50,16 @@ impl Compliance {
     pub fn entry(&self, row: usize, column: usize) -> f64 {
         assert!(column < self.order(), "the matrix has {} columns", self.order());
         self.matrix[row * self.order() + column]
+    }
+
+    /// How the wheel of a row of [`Self::sides`] gives way.
+    pub(super) fn of_wheel(&self, wheel: usize) -> WheelCompliance<f64> {
+        let block = |by: usize| {
+            let entry = |i, j| self.entry(WRENCH * wheel + i, WRENCH * by + j);
+            std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
+        };
+        let other = (0..self.sides.len()).find(|&by| by != wheel);
+        WheelCompliance { own: block(wheel), across: other.map_or([[0.0; WRENCH]; WRENCH], block) }
     }
 
     /// ‖C − Cᵀ‖ ∕ ‖C‖ in SI units, Frobenius norm. It is rounding where all forces have an energy
@@ -150,10 +160,11 @@ impl Axle {
         if self.stand().is_loaded() && !self.stand().is_in_equilibrium() {
             self.rest()?;
         }
+        let state = self.stand().state();
         let wheels = self.suspension().sides.map(|AxleSide { side, wheel, travel, .. }| OnRig {
             wheel,
             travel,
-            pose: self.pose(side),
+            pose: self.pose_at(side, state),
         });
         Compliance::of(self.equilibrium(), &wheels)
     }

@@ -42,6 +42,7 @@ pub struct Corner {
     load: Load,
     own_forces: usize,
     elements: Vec<Channel>,
+    measures_compliance: bool,
 }
 
 impl Corner {
@@ -84,6 +85,7 @@ impl Corner {
             loads,
             elements,
             own_forces,
+            measures_compliance: false,
         })
     }
 
@@ -167,9 +169,19 @@ impl Corner {
         &self.elements
     }
 
-    /// Where wheel, steer axis and spring are, how they move, and what the wheel carries.
+    /// Sets whether [`Self::pose`] measures how the wheel gives way to loads.
+    pub fn measure_compliance(&mut self, measures: bool) {
+        self.measures_compliance = measures;
+    }
+
+    /// Where wheel, steer axis and spring are, how they move, what the wheel carries, and how it gives way
+    /// where that is measured.
     pub fn pose(&mut self) -> Pose<f64> {
-        self.station.pose(&mut self.stand, &self.suspension.mechanism)
+        let mut pose = self.station.pose(&mut self.stand, &self.suspension.mechanism);
+        if self.measures_compliance && pose.motions.is_some() {
+            pose.compliance = self.compliance().ok().map(|matrix| matrix.of_wheel(0));
+        }
+        pose
     }
 
     /// Where wheel, steer axis and spring are at a state of the mechanism, with drivers that are held
@@ -194,8 +206,8 @@ impl Specimen for Corner {
         Self::reset(self);
     }
 
-    fn pose(&mut self) -> Option<Pose<f64>> {
-        Some(Self::pose(self))
+    fn poses(&mut self) -> Vec<Pose<f64>> {
+        vec![Self::pose(self)]
     }
 
     fn element_channels(&self) -> &[Channel] {

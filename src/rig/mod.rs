@@ -21,6 +21,6 @@ pub use compliance::Compliance;
 pub use corner::{Corner, RigError};
 pub use line::{Line, Wheel};
 pub use load::{LOAD_COMPONENTS, Load, LoadPoint};
-pub use pose::{Design, Motion, Motions, Pose, WheelLoad};
+pub use pose::{Design, Motion, Motions, OtherWheel, Pose, TyreState, WheelCompliance, WheelLoad};
 pub use stand::Stand;
 pub use sweep::{Event, Held, Row, Specimen, Sweep, SweepPlan, Target};

@@ -14,6 +14,47 @@ pub struct WheelLoad<S> {
     pub rate: Option<S>,
 }
 
+/// The tyre of a wheel under its vertical load.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TyreState<S> {
+    /// Vertical stiffness (N/m).
+    pub rate: S,
+    /// How far the load presses it in (m).
+    pub deflection: S,
+}
+
+/// How a wheel gives way to small loads: displacements (m) and rotations (rad) along and about the axes of
+/// ISO 8855, row by row, per force (N) and moment (N·m) at the wheel centre. What held the wheel is
+/// let go and stays on as a dead load.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WheelCompliance<S> {
+    /// Loads on the wheel itself.
+    pub own: [[S; 6]; 6],
+    /// Loads on the other wheel of the axle; zero for a corner, which is taken to be alone.
+    pub across: [[S; 6]; 6],
+}
+
+/// What a wheel knows of the other one on its axle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OtherWheel<S> {
+    /// The wheel.
+    pub wheel: Wheel<S>,
+    /// The wheel at the design position.
+    pub design: Wheel<S>,
+    /// The motion of its body per unit of its own height that is driven.
+    pub travel: Option<Twist<S>>,
+    /// The same per unit of the height of the wheel that knows of it.
+    pub across: Option<Twist<S>>,
+    /// The motion of its body per metre of the rack.
+    pub rack: Option<Twist<S>>,
+    /// Its vertical load.
+    pub load: Option<WheelLoad<S>>,
+    /// Its tyre.
+    pub tyre: Option<TyreState<S>>,
+    /// How it gives way.
+    pub compliance: Option<WheelCompliance<S>>,
+}
+
 /// How the parts of a corner move per unit (m) of a driver, relative to the chassis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<S> {
@@ -32,6 +73,9 @@ pub struct Motions<S> {
     pub travel: Motion<S>,
     /// Per metre of the rack, the height held; `None` where the suspension does not steer.
     pub rack: Option<Motion<S>>,
+    /// The body of the wheel per metre of the height of the other wheel of the axle, the own
+    /// height held; `None` for a corner.
+    pub across: Option<Twist<S>>,
 }
 
 /// What a state is compared with: the design position, carried along with the chassis.
@@ -67,6 +111,12 @@ pub struct Pose<S> {
     pub motions: Option<Motions<S>>,
     /// The vertical load of the wheel, where the model has forces.
     pub load: Option<WheelLoad<S>>,
+    /// The tyre, where the model has one and the load is known.
+    pub tyre: Option<TyreState<S>>,
+    /// How the wheel gives way, where that is measured.
+    pub compliance: Option<WheelCompliance<S>>,
+    /// The other wheel of an axle.
+    pub other: Option<OtherWheel<S>>,
     /// The vehicle.
     pub vehicle: Vehicle,
     /// The side of the vehicle.
@@ -76,6 +126,20 @@ pub struct Pose<S> {
 }
 
 impl<S: Scalar> Pose<S> {
+    /// What the other wheel of the axle knows of this one.
+    pub fn as_other(&self) -> OtherWheel<S> {
+        OtherWheel {
+            wheel: self.wheel,
+            design: self.design.wheel,
+            travel: self.motions.map(|motions| motions.travel.wheel),
+            across: self.motions.and_then(|motions| motions.across),
+            rack: self.motions.and_then(|motions| motions.rack).map(|rack| rack.wheel),
+            load: self.load,
+            tyre: self.tyre,
+            compliance: self.compliance,
+        }
+    }
+
     /// σ: +1 for a left wheel, −1 for a right one, the sign of y outboard.
     pub fn sigma(&self) -> S {
         S::from_f64(self.side.sign())

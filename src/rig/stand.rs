@@ -259,8 +259,8 @@ impl Specimen for Stand {
         Self::reset(self);
     }
 
-    fn pose(&mut self) -> Option<Pose<f64>> {
-        None
+    fn poses(&mut self) -> Vec<Pose<f64>> {
+        vec![]
     }
 
     fn element_channels(&self) -> &[Channel] {

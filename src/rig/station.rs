@@ -1,19 +1,19 @@
 //! One wheel on the rig with all that belongs to it.
 
 use super::line::{Line, Wheel};
-use super::pose::{Design, Motion, Motions, Pose, WheelLoad};
+use super::pose::{Design, Motion, Motions, Pose, TyreState, WheelLoad};
 use super::stand::Stand;
-use crate::mechanism::{BodyId, DriverId, ForceId, Mechanism, PointId};
+use crate::mechanism::{BodyId, DriverId, ForceId, Law, Mechanism, PointId};
 use crate::model::{
-    self, Axes, AxleSide, Drive, Model, Setup, Side, SpringLine, SteerAxis, Suspension, Vehicle,
-    WheelSupport,
+    self, Axes, AxleSuspension, Drive, Model, Setup, Side, SpringLine, SteerAxis, Suspension,
+    Vehicle, WheelSupport,
 };
 use crate::relation::Coordinates;
 use crate::solve::{FreeMotion, point_position, rotation};
 use crate::vector::{add, dot};
 
 /// A wheel with its parts, as the mechanism on the rig numbers them.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Station {
     pub side: Side,
     pub wheel: model::Wheel,
@@ -21,6 +21,8 @@ pub(super) struct Station {
     pub spring: Option<SpringLine>,
     /// The driver of the height, released where the wheel is free.
     pub travel: DriverId,
+    /// The driver of the height of the other wheel on the axle.
+    other_travel: Option<DriverId>,
     pub rack: Option<DriverId>,
     pub tyre: Option<ForceId>,
     pub chassis: BodyId,
@@ -28,6 +30,8 @@ pub(super) struct Station {
     support: WheelSupport,
     vehicle: Vehicle,
     axes: Axes,
+    /// The law of the model's tyre, whether or not the wheel stands on it.
+    tyre_law: Option<Law>,
 }
 
 impl Station {
@@ -39,6 +43,7 @@ impl Station {
             steer_axis: suspension.steer_axis,
             spring: suspension.spring,
             travel: suspension.travel,
+            other_travel: None,
             rack: suspension.rack,
             tyre: suspension.tyre,
             chassis: suspension.chassis,
@@ -46,24 +51,29 @@ impl Station {
             support: setup.support,
             vehicle: model.vehicle,
             axes: model.axes,
+            tyre_law: model.tyre_law().cloned(),
         }
     }
 
     /// One wheel of an axle, whose chassis is the ground.
-    pub fn of_axle(part: &AxleSide, rack: Option<DriverId>, model: &Model, setup: &Setup) -> Self {
+    pub fn of_axle(suspension: &AxleSuspension, side: Side, model: &Model, setup: &Setup) -> Self {
+        let part = &suspension.sides[side.index()];
+        let other = &suspension.sides[1 - side.index()];
         Self {
             side: part.side,
             wheel: part.wheel,
             steer_axis: part.steer_axis,
             spring: part.spring,
             travel: part.travel,
-            rack,
+            other_travel: Some(other.travel),
+            rack: suspension.rack,
             tyre: part.tyre,
             chassis: BodyId::GROUND,
             drive: setup.drive,
             support: setup.support,
             vehicle: model.vehicle,
             axes: model.axes,
+            tyre_law: model.tyre_law().cloned(),
         }
     }
 
@@ -78,7 +88,8 @@ impl Station {
     /// Where wheel, steer axis and spring are, how they move, and what the wheel carries.
     pub fn pose(&self, stand: &mut Stand, mechanism: &Mechanism) -> Pose<f64> {
         let (load, motions) = (self.load(stand), self.motions(stand, mechanism));
-        Pose { load, motions, ..self.pose_at(stand, stand.state()) }
+        let tyre = load.and_then(|load| self.tyre_under(load.force));
+        Pose { load, tyre, motions, ..self.pose_at(stand, stand.state()) }
     }
 
     /// Where wheel, steer axis and spring are at a state of the mechanism.
@@ -111,6 +122,9 @@ impl Station {
             design,
             motions: None,
             load: None,
+            tyre: None,
+            compliance: None,
+            other: None,
             vehicle: self.vehicle,
             side: self.side,
             axes: self.axes,
@@ -133,7 +147,8 @@ impl Station {
     fn motions(&self, stand: &mut Stand, mechanism: &Mechanism) -> Option<Motions<f64>> {
         let travel = self.motion(self.travel, stand, mechanism)?;
         let rack = self.rack.and_then(|rack| self.motion(rack, stand, mechanism));
-        Some(Motions { travel, rack })
+        let across = self.other_travel.and_then(|other| self.motion(other, stand, mechanism));
+        Some(Motions { travel, rack, across: across.map(|motion| motion.wheel) })
     }
 
     fn motion(
@@ -154,6 +169,14 @@ impl Station {
                 .map(|axis| Line::through([axis.lower, axis.upper].map(velocity))),
             spring: self.spring.map(|spring| Line::through(spring.ends.map(velocity))),
         })
+    }
+
+    /// The tyre under a vertical load.
+    fn tyre_under(&self, load: f64) -> Option<TyreState<f64>> {
+        let law = self.tyre_law.as_ref()?;
+        let value = law.value_under(-load)?;
+        let rate = law.elastic.at(value).first;
+        (rate > 0.0).then_some(TyreState { rate, deflection: -value })
     }
 
     /// The vertical force on the wheel and how it grows with its travel.

@@ -133,13 +133,9 @@ pub trait Specimen {
     /// Returns to the design position.
     fn reset(&mut self);
 
-    /// Where wheel and steer axis are, where there is a wheel; those on the left of an axle.
-    fn pose(&mut self) -> Option<Pose<f64>>;
-
-    /// Where wheel and steer axis on the right of an axle are.
-    fn right_pose(&mut self) -> Option<Pose<f64>> {
-        None
-    }
+    /// Where wheels and steer axes are: one of a corner, left and right of an axle, none of a
+    /// mechanism.
+    fn poses(&mut self) -> Vec<Pose<f64>>;
 
     /// The channels of force elements, or of bodies, drivers and force elements.
     fn element_channels(&self) -> &[Channel];
@@ -159,10 +155,9 @@ pub trait Specimen {
 pub struct Row {
     /// The value of the plan (m, N or N·m).
     pub value: f64,
-    /// Where wheel and steer axis are, where there is a wheel; those on the left of an axle.
-    pub pose: Option<Pose<f64>>,
-    /// Where wheel and steer axis on the right of an axle are.
-    pub right_pose: Option<Pose<f64>>,
+    /// Where wheels and steer axes are: one of a corner, left and right of an axle, none of a
+    /// mechanism.
+    pub poses: Vec<Pose<f64>>,
     /// The values (SI) of [`Sweep::channels`].
     pub channels: Vec<f64>,
     /// Newton iterations from the state before.
@@ -253,8 +248,7 @@ impl<C: Specimen, P: FnMut(usize)> Run<'_, C, P> {
         match self.specimen.go_to(self.plan, value) {
             Ok(report) => Some(Row {
                 value,
-                pose: self.specimen.pose(),
-                right_pose: self.specimen.right_pose(),
+                poses: self.specimen.poses(),
                 channels: self.specimen.channel_values(),
                 iterations: report.iterations,
                 relative_residual: report.relative_residual,

@@ -3,16 +3,17 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use hardpoint::model::{Chassis, Document, Model, WheelSupport};
+use hardpoint::model::{Axes, Chassis, Document, Model, WheelSupport};
 use hardpoint::report::{FactorSheet, write_definitions};
-use hardpoint::rig::Corner;
+use hardpoint::rig::{Axle, Corner, Pose, RigError};
+use hardpoint::solve::{FreeMotion, Stop};
 
 use crate::failure::Failure;
 use crate::load;
 use crate::loads::{RigOptions, length};
 use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
 
-/// List all design factors of a corner at one state, or the definitions of all factors.
+/// List all design factors of a corner or an axle at one state, or the definitions of all factors.
 ///
 /// Steer axis, instant centres, roll centre, anti-dive, motion ratio and all others, with unit and
 /// sign. Gradients are exact slopes. Where the model has forces, the state is one of static equilibrium.
@@ -24,6 +25,7 @@ factors. A value that is not defined at the state, such as an instant centre at 
 Examples:
   hardpoint factors models/double-wishbone.toml
   hardpoint factors models/double-wishbone.toml --travel 30 --rack -5 --side right
+  hardpoint factors models/sedan-axle.toml --axle
   hardpoint factors models/lotus-front.toml --convention lotus --drive contact-patch --travel 15
   hardpoint factors models/double-wishbone.toml --format csv -o factors.csv
   hardpoint factors --list")]
@@ -34,7 +36,11 @@ pub struct Factors {
     /// Print the definitions of all factors: name, symbol, unit, sign, formula, source.
     #[arg(long, conflicts_with = "model")]
     list: bool,
-    /// Wheel travel from the design position, + jounce [default: 0].
+    /// Put both sides on the rig: the model and its mirror image. Some factors, such as Ackermann, are those of both
+    /// wheels together.
+    #[arg(long, conflicts_with = "side")]
+    axle: bool,
+    /// Wheel travel from the design position, + jounce [default: 0]. Both wheels of an axle.
     #[arg(long, allow_negative_numbers = true, value_name = "T")]
     travel: Option<f64>,
     /// Rack displacement, + along the model's +y [default: 0].
@@ -67,43 +73,32 @@ impl Factors {
         // Refused before the work is done.
         let output = Output::beside(path, self.output.as_deref())?;
         match document {
-            Document::Suspension(model) => self.corner(&model, path, &output),
+            Document::Suspension(model) => self.suspension(&model, path, &output),
             Document::Mechanism(_) => Err(Failure::Usage(
                 "factors belong to suspensions; this file is a mechanism".into(),
             )),
         }
     }
 
-    fn corner(&self, model: &Model, path: &Path, output: &Output) -> Result<(), Failure> {
+    fn suspension(&self, model: &Model, path: &Path, output: &Output) -> Result<(), Failure> {
         let travel = length("--travel", self.travel, model.units)?;
         let rack = length("--rack", self.rack, model.units)?;
-        let setup = self.rig.setup(WheelSupport::Held, Chassis::Fixed);
-        let load = self.rig.load(model)?;
-        let mut corner = Corner::with_loads(model, &setup, self.rig.point())
-            .map_err(|error| Failure::Rig(path.display().to_string(), Box::new(error)))?;
-        if rack != 0.0 && !corner.steers() {
+        if rack != 0.0 && !model.steers() {
             let message = "this suspension has no rack; leave out --rack";
             return Err(Failure::Usage(message.into()));
         }
-        corner.set_load(&load);
-        corner.move_to(travel, rack).map_err(|stop| {
-            let axes = axes_of_words(model.axes, &stop.to_string());
-            Failure::Stopped(vec![stop], format!("the state was not reached{axes}"))
-        })?;
-        for motion in corner.free_wheel_motions() {
-            let motion = &motion.description;
-            let axes = axes_of_words(model.axes, motion);
-            eprintln!(
-                "warning: no joint holds this motion: {motion}{axes}; values that depend on it are not \
-                 determined by the model. Add a joint"
-            );
-        }
+        let rig = |error| Failure::Rig(path.display().to_string(), Box::new(error));
+        let poses = if self.axle {
+            self.axle(model, travel, rack, rig)?.to_vec()
+        } else {
+            vec![self.corner(model, travel, rack, rig)?]
+        };
         let sheet = FactorSheet {
             name: &model.name,
             units: model.units,
             drive: self.rig.drive(),
             convention: self.convention.into(),
-            pose: &corner.pose(),
+            poses: &poses,
         };
         let named = self.output.as_deref().and_then(Format::of);
         output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
@@ -111,5 +106,55 @@ impl Factors {
             Format::Csv => sheet.write_csv(writer),
             Format::Json => sheet.write_json(writer),
         })
+    }
+
+    fn corner(
+        &self,
+        model: &Model,
+        travel: f64,
+        rack: f64,
+        rig: impl Fn(RigError) -> Failure,
+    ) -> Result<Pose<f64>, Failure> {
+        let setup = self.rig.setup(WheelSupport::Held, Chassis::Fixed);
+        let load = self.rig.load(model)?;
+        let mut corner = Corner::with_loads(model, &setup, self.rig.point()).map_err(rig)?;
+        corner.measure_compliance(true);
+        corner.set_load(&load);
+        corner.move_to(travel, rack).map_err(|stop| not_reached(stop, model.axes))?;
+        warn_of_free(corner.free_wheel_motions(), model.axes);
+        Ok(corner.pose())
+    }
+
+    fn axle(
+        &self,
+        model: &Model,
+        travel: f64,
+        rack: f64,
+        rig: impl Fn(RigError) -> Failure,
+    ) -> Result<[Pose<f64>; 2], Failure> {
+        let setup = self.rig.setup(WheelSupport::Held, Chassis::Fixed);
+        let load = self.rig.axle_loads(model)?;
+        let mut axle = Axle::with_loads(model, &setup, self.rig.point()).map_err(rig)?;
+        axle.measure_compliance(true);
+        axle.set_load(&load);
+        axle.move_to([travel; 2], rack).map_err(|stop| not_reached(stop, model.axes))?;
+        warn_of_free(axle.free_wheel_motions(), model.axes);
+        Ok(axle.poses())
+    }
+}
+
+fn not_reached(stop: Stop, axes: Axes) -> Failure {
+    let axes = axes_of_words(axes, &stop.to_string());
+    Failure::Stopped(vec![stop], format!("the state was not reached{axes}"))
+}
+
+fn warn_of_free<'a>(motions: impl Iterator<Item = &'a FreeMotion>, axes: Axes) {
+    for motion in motions {
+        let motion = &motion.description;
+        let axes = axes_of_words(axes, motion);
+        eprintln!(
+            "warning: no joint holds this motion: {motion}{axes}; values that depend on it are not \
+             determined by the model. Add a joint"
+        );
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use hardpoint::factors::{self, Convention, Factor};
+use hardpoint::factors::{self, Convention, Factor, Need};
 use hardpoint::mechanism::DriverId;
 use hardpoint::model::{
     Axes, Chassis, Document, MechanismModel, Model, Quantity, Side, Units, WheelSupport,
@@ -141,14 +141,19 @@ impl Sweep {
         let at = self.rig.point();
         let rig = |error| Failure::Rig(self.model.display().to_string(), Box::new(error));
         let (quantity, mut plan, name) = self.plan(event, model.units, model.steers())?;
+        // The matrix costs as much as the state itself.
+        let needs = |factor: &&'static Factor| factor.needs.contains(&Need::Compliance);
+        let measures = columns.iter().flatten().any(needs);
         let sweep = if self.axle {
             let [left, right] = self.rig.axle_loads(model)?;
             (plan.held.load, plan.held.right_load) = (left, Some(right));
             let mut axle = Axle::with_loads(model, &setup, at).map_err(rig)?;
+            axle.measure_compliance(measures);
             self.states(&mut axle, &plan, model.axes)
         } else {
             plan.held.load = self.rig.load(model)?;
             let mut corner = Corner::with_loads(model, &setup, at).map_err(rig)?;
+            corner.measure_compliance(measures);
             self.states(&mut corner, &plan, model.axes)
         };
         let side = [model.side];
