@@ -28,7 +28,7 @@ const LENGTH: Factor = Factor {
 const RATIO: Factor = Factor {
     quantity: Quantity::Ratio,
     sign: "+ spring shortens in jounce",
-    needs: &[Need::HeldWheel, Need::Spring],
+    needs: &[Need::Motion, Need::Spring],
     ..LENGTH
 };
 

@@ -34,6 +34,9 @@ pub trait LinearSolver: Send {
 
     /// The sign of the determinant: 1, −1, or 0 without factorisation.
     fn determinant_sign(&self) -> f64;
+
+    /// How many matrices were factorised.
+    fn factorisations(&self) -> usize;
 }
 
 /// The largest matrix for which an elimination plan is made. Planning takes time with the cube
@@ -83,6 +86,7 @@ pub(super) struct Checked<F> {
     // The largest entry of the matrix.
     size: f64,
     sign: f64,
+    factorisations: usize,
 }
 
 /// Largest accepted backward error ‖b − A x‖ ∕ (‖A‖ ‖x‖ + ‖b‖).
@@ -102,6 +106,7 @@ impl<F: Factors> Checked<F> {
             check: vec![0.0; 2 * n],
             size: 0.0,
             sign: 0.0,
+            factorisations: 0,
             pattern: pattern.clone(),
         }
     }
@@ -154,6 +159,7 @@ impl<F: Factors> Checked<F> {
 
 impl<F: Factors> LinearSolver for Checked<F> {
     fn factorise(&mut self, values: &[f64]) -> Result<(), Singular> {
+        self.factorisations += 1;
         self.sign = 0.0;
         self.values.copy_from_slice(values);
         self.size = largest(values);
@@ -179,6 +185,10 @@ impl<F: Factors> LinearSolver for Checked<F> {
 
     fn determinant_sign(&self) -> f64 {
         self.sign
+    }
+
+    fn factorisations(&self) -> usize {
+        self.factorisations
     }
 }
 
