@@ -7,7 +7,7 @@ mod axles;
 use axles::{axle, close, load};
 use hardpoint::factors::{Convention, FACTORS, Need};
 use hardpoint::mechanism::DriverId;
-use hardpoint::model::{Drive, Model, Setup, Side, WheelSupport};
+use hardpoint::model::{Chassis, Drive, Model, Setup, Side, WheelSupport};
 use hardpoint::rig::{Axle, Corner, LoadPoint, Pose, Stand};
 use hardpoint::solve::Twist;
 use hardpoint::solve::equilibrium::Equilibrium;
@@ -75,7 +75,7 @@ fn drivers_that_let_go_give_the_matrix_without_their_rows() {
                     &format!("C[{i}, {j}]"),
                     bordered.entry(i, j),
                     matrix[12 * i + j],
-                    1e-11 * size,
+                    1e-12 * size,
                 );
             }
         }
@@ -173,6 +173,19 @@ fn the_free_wheels_of_an_axle_move_as_held_ones() {
         // What a free wheel gives way to is no compliance of the suspension alone.
         standing.measure_compliance(true);
         assert!(standing.pose(Side::Left).compliance.is_none());
+    }
+}
+
+/// The chassis of a quarter car goes up with its wheel, so the suspension does not move.
+#[test]
+fn a_chassis_that_goes_with_the_wheel_leaves_no_motion() {
+    let text = include_str!("../models/quarter-car.toml");
+    let model = Model::parse("models/quarter-car.toml", text).unwrap();
+    for (chassis, moves) in [(Chassis::Fixed, true), (Chassis::Slide, false)] {
+        let setup = Setup { chassis, ..free(Setup::default()) };
+        let mut corner = Corner::new(&model, &setup).unwrap();
+        corner.rest().unwrap();
+        assert_eq!(corner.pose().motions.is_some(), moves, "{chassis:?}");
     }
 }
 

@@ -220,7 +220,7 @@ impl Axle {
             self.rest()?;
         }
         let Self { stations, stand, .. } = self;
-        let poses = stations.each_ref().map(|station| station.pose(stand));
+        let poses = stations.each_ref().map(|station| station.pose_at(stand, stand.state()));
         Compliance::of(stand.rates().equilibrium(), stations, &poses)
     }
 

@@ -202,7 +202,7 @@ impl Corner {
             self.rest()?;
         }
         let Self { station, stand, .. } = self;
-        let pose = station.pose(stand);
+        let pose = station.pose_at(stand, stand.state());
         let station = std::slice::from_ref(station);
         Compliance::of(stand.rates().equilibrium(), station, &[pose])
     }

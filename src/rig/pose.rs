@@ -108,7 +108,8 @@ pub struct Pose<S> {
     /// The design position.
     pub design: Design<S>,
     /// How the corner moves: as the joints allow where they determine the position, else along
-    /// states of equilibrium. `None` in a dead centre, and where equilibrium is not found.
+    /// states of equilibrium. `None` in a dead centre, where equilibrium is not found, and for a free wheel
+    /// under a chassis on its slide, which goes with it.
     pub motions: Option<Motions<S>>,
     /// The vertical load of the wheel, where the model has forces.
     pub load: Option<WheelLoad<S>>,

@@ -11,7 +11,11 @@ use crate::model::{
 };
 use crate::relation::Coordinates;
 use crate::solve::{FreeMotion, point_position, rotation};
-use crate::vector::{add, dot};
+use crate::vector::{add, dot, norm};
+
+/// The part of a wheel's velocity that has to be left against the chassis. A chassis that is free on
+/// its slide goes up with the wheel, on a spring whose force stays the same: no motion of the suspension.
+const CARRIED: f64 = 1e-6;
 
 /// A wheel with its parts, as the mechanism on the rig numbers them.
 #[derive(Clone, Debug)]
@@ -176,6 +180,12 @@ impl Station {
     ) -> Option<Motion<f64>> {
         let tangent = rates.tangent(driver)?;
         let twist = |body| tangent.twist(body).minus(&tangent.twist(self.chassis));
+        let center = point_position(mechanism, tangent.state(), self.wheel.body, self.wheel.center);
+        let [own, relative] = [tangent.twist(self.wheel.body), twist(self.wheel.body)]
+            .map(|twist| norm(twist.at(center)));
+        if relative < CARRIED * own {
+            return None;
+        }
         let velocity = |(point, body): (PointId, BodyId)| {
             twist(body).at(point_position(mechanism, tangent.state(), body, point))
         };

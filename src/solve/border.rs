@@ -53,7 +53,7 @@ impl Border {
         let (size, count) = (self.size, self.count);
         self.responses.copy_from_slice(&self.conditions);
         for k in 0..count {
-            linear.solve(&mut self.responses[k * size..][..size])?;
+            linear.solve_refined(&mut self.responses[k * size..][..size])?;
             self.inverse[k * count + k] = 1.0;
             for row in 0..count {
                 let condition = &self.conditions[row * size..][..size];

@@ -119,7 +119,7 @@ impl Linearised<'_> {
             let first = coordinates_of(body);
             let load = unit_load(&state[body.index()], at, column % WRENCH);
             step[first..first + BODY_COORDINATES].copy_from_slice(&load);
-            linear.solve(step).map_err(singular)?;
+            linear.solve_refined(step).map_err(singular)?;
             free.keep(step, &mut excess);
             for (k, (&(body, _), &at)) in points.iter().zip(&places).enumerate() {
                 let first = coordinates_of(body);

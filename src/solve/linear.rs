@@ -26,6 +26,13 @@ pub trait LinearSolver: Send {
     /// satisfy the equations.
     fn solve(&mut self, right_side: &mut [f64]) -> Result<(), Singular>;
 
+    /// As [`Self::solve`], with a step of iterative refinement: where stiffnesses, lengths and angles
+    /// stand in one matrix, small unknowns are then as exact as large ones. For results.
+    ///
+    /// # Errors
+    /// As for [`Self::solve`].
+    fn solve_refined(&mut self, right_side: &mut [f64]) -> Result<(), Singular>;
+
     /// Replaces b by the solution of Aᵀ x = b.
     ///
     /// # Errors
@@ -121,20 +128,24 @@ impl<F: Factors> Checked<F> {
         if self.backward_error(right_side, transposed) <= BACKWARD_ERROR {
             return Ok(());
         }
-        // One step of iterative refinement, then the answer has to be right.
-        if right_side.iter().all(|x| x.is_finite()) {
-            let mut correction = std::mem::take(&mut self.check);
-            let (_, residual) = correction.split_at_mut(n);
-            self.factors.substitute(residual, transposed);
-            for (x, dx) in right_side.iter_mut().zip(residual.iter()) {
-                *x += dx;
-            }
-            self.check = correction;
-            if self.backward_error(right_side, transposed) <= BACKWARD_ERROR {
-                return Ok(());
-            }
+        self.refine(right_side, transposed)
+    }
+
+    /// One step of iterative refinement from the residual of the last check, then the answer has to
+    /// be right.
+    fn refine(&mut self, x: &mut [f64], transposed: bool) -> Result<(), Singular> {
+        if x.iter().any(|x| !x.is_finite()) {
+            return Err(Singular);
         }
-        Err(Singular)
+        let mut correction = std::mem::take(&mut self.check);
+        let (_, residual) = correction.split_at_mut(x.len());
+        self.factors.substitute(residual, transposed);
+        for (x, dx) in x.iter_mut().zip(residual.iter()) {
+            *x += dx;
+        }
+        self.check = correction;
+        let right = self.backward_error(x, transposed) <= BACKWARD_ERROR;
+        if right { Ok(()) } else { Err(Singular) }
     }
 
     /// Writes b − A x behind b and returns the backward error; infinite if x is not finite.
@@ -177,6 +188,11 @@ impl<F: Factors> LinearSolver for Checked<F> {
 
     fn solve(&mut self, right_side: &mut [f64]) -> Result<(), Singular> {
         self.solve_either(right_side, false)
+    }
+
+    fn solve_refined(&mut self, right_side: &mut [f64]) -> Result<(), Singular> {
+        self.solve_either(right_side, false)?;
+        self.refine(right_side, false)
     }
 
     fn solve_transposed(&mut self, right_side: &mut [f64]) -> Result<(), Singular> {

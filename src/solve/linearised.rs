@@ -194,7 +194,7 @@ impl<'a> Linearised<'a> {
             for (out, &equation) in phi.iter_mut().zip(it.problem.numbering.kept()) {
                 *out = -it.scratch.phi_change[equation];
             }
-            it.linear.solve(&mut it.step)?;
+            it.linear.solve_refined(&mut it.step)?;
             let Hold { border, multipliers, .. } = &mut it.scratch.hold;
             border.keep(&mut it.step, multipliers);
         }
