@@ -82,6 +82,7 @@ fn replaced<S: Scalar>(pose: &Pose<f64>, new: &mut impl FnMut(f64) -> S) -> Pose
             wheel: twist(motion.wheel, new),
             steer_axis: motion.steer_axis.map(|rates| line(rates, new)),
             spring: motion.spring.map(|rates| line(rates, new)),
+            damper: motion.damper.map(|rates| line(rates, new)),
         }
     }
     Pose {
@@ -91,9 +92,11 @@ fn replaced<S: Scalar>(pose: &Pose<f64>, new: &mut impl FnMut(f64) -> S) -> Pose
         rotation: pose.rotation.map(|row| vector(row, new)),
         steer_axis: pose.steer_axis.map(|axis| line(axis, new)),
         spring: pose.spring.map(|spring| line(spring, new)),
+        damper: pose.damper.map(|damper| line(damper, new)),
         design: Design {
             wheel: wheel(pose.design.wheel, new),
             spring: pose.design.spring.map(|spring| line(spring, new)),
+            damper: pose.design.damper.map(|damper| line(damper, new)),
         },
         motions: pose.motions.map(|motions| Motions {
             travel: motion(motions.travel, new),

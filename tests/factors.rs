@@ -161,7 +161,7 @@ fn lotus_has_all_columns_of_its_bump_table() {
         ("toe_deg", "toe", 6e-5),
         ("castor_deg", "caster", 6e-5),
         ("kingpin_deg", "kpi", 6e-5),
-        ("damper_ratio", "spring_ratio_patch", 6e-4),
+        ("damper_ratio", "damper_ratio_patch", 6e-4),
         ("spring_ratio", "spring_ratio_patch", 6e-4),
         ("anti_dive_pct", "anti_dive", 0.01),
         ("anti_squat_pct", "anti_lift_drive", 0.01),
@@ -169,7 +169,7 @@ fn lotus_has_all_columns_of_its_bump_table() {
         ("roll_centre_to_grnd_mm", "rc_height", 0.1),
         ("half_track_change_mm", "half_track_change", 0.006),
         ("wheelbase_change_mm", "wheelbase_change", 0.006),
-        ("damper_travel_mm", "spring_travel", 0.006),
+        ("damper_travel_mm", "damper_travel", 0.006),
         ("spring_travel_mm", "spring_travel", 0.006),
     ];
     let right = model("lotus-front");

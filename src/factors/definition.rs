@@ -27,7 +27,7 @@ pub enum Subject {
     RollCenter,
     /// Pitch: anti-dive, anti-lift, anti-squat.
     Anti,
-    /// Spring and motion ratios.
+    /// Spring, damper and motion ratios.
     Spring,
     /// Wheel load.
     Load,
@@ -67,7 +67,7 @@ impl Subject {
             Self::Centers => "Instant centres and swing arms",
             Self::RollCenter => "Roll centre",
             Self::Anti => "Anti-dive, anti-lift, anti-squat",
-            Self::Spring => "Spring and motion ratios",
+            Self::Spring => "Spring, damper and motion ratios",
             Self::Load => "Wheel load",
             Self::Steering => "Steering of the axle",
             Self::Roll => "Roll of the axle",

@@ -19,6 +19,8 @@ pub enum Need {
     SteerAxis,
     /// A spring.
     Spring,
+    /// A damper.
+    Damper,
     /// Forces.
     Forces,
     /// `axle` of `[vehicle]`.
@@ -50,6 +52,9 @@ impl Need {
             Self::Spring => {
                 "a spring: one of [[forces]], or the points that [spring] of the architecture names"
             }
+            Self::Damper => {
+                "a damper: one of [[forces]], or the points that [damper] of the architecture names"
+            }
             Self::Forces => "forces: [[forces]], [bushings] or weights",
             Self::Axle => "`axle` in [vehicle]",
             Self::Wheelbase => "`wheelbase` in [vehicle]",
@@ -69,6 +74,7 @@ impl Need {
             Self::Rack => "rack",
             Self::SteerAxis => "steer axis",
             Self::Spring => "spring",
+            Self::Damper => "damper",
             Self::Forces => "forces",
             Self::Axle => "`axle`",
             Self::Wheelbase => "`wheelbase`",
@@ -89,6 +95,7 @@ impl Need {
             Self::Rack => pose.motions.is_some_and(|motions| motions.rack.is_some()),
             Self::SteerAxis => pose.steer_axis.is_some(),
             Self::Spring => pose.spring.is_some(),
+            Self::Damper => pose.damper.is_some(),
             Self::Forces => pose.load.is_some(),
             Self::Axle => vehicle.axle.is_some(),
             Self::Wheelbase => vehicle.wheelbase.is_some(),

@@ -1,7 +1,7 @@
 //! Both sides of a vehicle in one mechanism.
 
 use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
-use super::suspension::{SpringLine, Wheel};
+use super::suspension::{StrutLine, Wheel};
 use super::{AntiRollBar, Model, Side, SteerAxis, mean};
 use crate::mechanism::{
     BodyId, Direction, DriverId, DriverKind, Force, ForceId, ForceKind, JointKind, Law, Mechanism,
@@ -35,7 +35,9 @@ pub struct AxleSide {
     /// The steer axis through two joints, where the architecture has one.
     pub steer_axis: Option<SteerAxis>,
     /// The spring, where the model has one.
-    pub spring: Option<SpringLine>,
+    pub spring: Option<StrutLine>,
+    /// The damper, where the model has one.
+    pub damper: Option<StrutLine>,
     /// Change of the height of the wheel (m), positive in jounce. It is there also where the wheel
     /// is free; whoever looks for an equilibrium on tyres releases it.
     pub travel: DriverId,
@@ -281,6 +283,9 @@ impl<'a> Half<'a> {
             radius: model.wheel_radius,
         };
         let end = |(point, body)| (self.point(point), self.body(body));
+        let on_side = |line: StrutLine| StrutLine {
+            ends: line.ends.map(|(point, body)| (self.point(point), body)),
+        };
         let kind = setup.drive.of(&wheel);
         let travel =
             mechanism.add_driver(&self.name("travel"), BodyId::GROUND, wheel.body, kind)?;
@@ -296,9 +301,8 @@ impl<'a> Half<'a> {
             steer_axis: architecture
                 .steer_axis
                 .map(|axis| SteerAxis { lower: end(axis.lower), upper: end(axis.upper) }),
-            spring: model.spring_line(|body| self.body(body)).map(|spring| SpringLine {
-                ends: spring.ends.map(|(point, body)| (self.point(point), body)),
-            }),
+            spring: model.spring_line(|body| self.body(body)).map(on_side),
+            damper: model.damper_line(|body| self.body(body)).map(on_side),
             travel,
             tyre,
         })

@@ -36,7 +36,7 @@ pub use loads::{AntiRollBar, JointBushing, Tyre, TyreContact};
 pub use mechanism_file::MechanismModel;
 pub use quantity::Quantity;
 pub use setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
-pub use suspension::{SpringLine, Suspension, Wheel};
+pub use suspension::{StrutLine, Suspension, Wheel};
 pub use units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, Units};
 pub use vehicle::{Axle, Brakes, Vehicle};
 

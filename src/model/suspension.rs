@@ -1,6 +1,6 @@
 //! From a model to the mechanism that the solver knows.
 
-use super::architecture::WheelRole;
+use super::architecture::{Seats, WheelRole};
 use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
 use super::{Model, SpinAxis, SteerAxis, TyreContact, mean};
 use crate::mechanism::{
@@ -18,7 +18,9 @@ pub struct Suspension {
     /// The steer axis through two joints, where the architecture has one.
     pub steer_axis: Option<SteerAxis>,
     /// The spring, where the model has one.
-    pub spring: Option<SpringLine>,
+    pub spring: Option<StrutLine>,
+    /// The damper, where the model has one.
+    pub damper: Option<StrutLine>,
     /// Displacement of the rack (m), positive along the y axis of the model's own axes;
     /// `None` for a suspension that does not steer.
     pub rack: Option<DriverId>,
@@ -60,9 +62,9 @@ impl Drive {
     }
 }
 
-/// The line of a spring: its ends and the bodies that they belong to.
+/// The line of a spring or a damper: its ends and the bodies that they belong to.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpringLine {
+pub struct StrutLine {
     /// The ends.
     pub ends: [(PointId, BodyId); 2],
 }
@@ -130,6 +132,7 @@ impl Model {
             wheel,
             steer_axis: architecture.steer_axis.map(|axis| numbers.steer_axis(axis)),
             spring: self.spring_line(|body| numbers.body(body)),
+            damper: self.damper_line(|body| numbers.body(body)),
             rack,
             travel,
             drive: setup.drive,
@@ -187,30 +190,46 @@ impl Model {
 
     /// The line of the first spring of the model, or else the one that the architecture knows. `number`
     /// gives the bodies of the architecture their numbers in the mechanism.
-    pub(super) fn spring_line(&self, number: impl Fn(BodyId) -> BodyId) -> Option<SpringLine> {
+    pub(super) fn spring_line(&self, number: impl Fn(BodyId) -> BodyId) -> Option<StrutLine> {
+        // Dampers, actuators and stops lie on lines, too.
+        let springs = |law: &Law| law.acts == Acts::Always && law.elastic != Curve::Zero;
+        self.strut_line(springs, self.architecture.spring.as_ref(), number)
+    }
+
+    /// The line of the first damper of the model, which may be one with its spring, or else the one that
+    /// the architecture knows.
+    pub(super) fn damper_line(&self, number: impl Fn(BodyId) -> BodyId) -> Option<StrutLine> {
+        let damps = |law: &Law| law.acts == Acts::Always && law.viscous != Curve::Zero;
+        self.strut_line(damps, self.architecture.damper.as_ref(), number)
+    }
+
+    fn strut_line(
+        &self,
+        belongs: impl Fn(&Law) -> bool,
+        seats: Option<&Seats>,
+        number: impl Fn(BodyId) -> BodyId,
+    ) -> Option<StrutLine> {
         for force in &self.loads.forces {
-            // Dampers, actuators and stops lie on lines, too.
             let ForceKind::Line { on_i, on_j, law, .. } = &force.kind else { continue };
-            if law.acts == Acts::Always && law.elastic != Curve::Zero {
-                return Some(SpringLine {
+            if belongs(law) {
+                return Some(StrutLine {
                     ends: [(*on_i, number(force.i)), (*on_j, number(force.j))],
                 });
             }
         }
-        let seats = self.architecture.spring.as_ref()?;
         let end = |(name, body): &(String, BodyId)| {
             let point = self.points.iter().position(|point| point.name == *name)?;
             Some((PointId(point), number(*body)))
         };
-        Some(SpringLine { ends: [end(&seats.lower)?, end(&seats.upper)?] })
+        Some(StrutLine { ends: [end(&seats?.lower)?, end(&seats?.upper)?] })
     }
 
-    /// The tyre as a force element with the numbers of the architecture.
     /// The law of the tyre: its value is minus the deflection (m).
     pub fn tyre_law(&self) -> Option<&Law> {
         self.loads.tyre.as_ref().map(|tyre| &tyre.law)
     }
 
+    /// The tyre as a force element with the numbers of the architecture.
     pub(super) fn tyre_force(&self) -> Option<Force> {
         let tyre = self.loads.tyre.as_ref()?;
         let WheelRole { body, center } = self.architecture.wheel;

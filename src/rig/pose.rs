@@ -64,6 +64,8 @@ pub struct Motion<S> {
     pub steer_axis: Option<Line<S>>,
     /// The velocities of the two ends of the spring.
     pub spring: Option<Line<S>>,
+    /// The velocities of the two ends of the damper.
+    pub damper: Option<Line<S>>,
 }
 
 /// The motions of a corner. A free wheel is lifted by a vertical force where its height would be driven,
@@ -86,6 +88,8 @@ pub struct Design<S> {
     pub wheel: Wheel<S>,
     /// The spring.
     pub spring: Option<Line<S>>,
+    /// The damper.
+    pub damper: Option<Line<S>>,
 }
 
 /// One state of a corner, in ISO 8855 axes (x forward, y left, z up), the chassis fixed or on its
@@ -105,6 +109,8 @@ pub struct Pose<S> {
     pub steer_axis: Option<Line<S>>,
     /// The spring, where the model has one.
     pub spring: Option<Line<S>>,
+    /// The damper, where the model has one.
+    pub damper: Option<Line<S>>,
     /// The design position.
     pub design: Design<S>,
     /// How the corner moves: as the joints allow where they determine the position, else along

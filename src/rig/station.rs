@@ -6,7 +6,7 @@ use super::rates::Rates;
 use super::stand::Stand;
 use crate::mechanism::{BodyId, DriverId, ForceId, Law, Mechanism, PointId};
 use crate::model::{
-    self, Axes, AxleSuspension, Drive, Model, Setup, Side, SpringLine, SteerAxis, Suspension,
+    self, Axes, AxleSuspension, Drive, Model, Setup, Side, SteerAxis, StrutLine, Suspension,
     Vehicle, WheelSupport,
 };
 use crate::relation::Coordinates;
@@ -23,7 +23,8 @@ pub(super) struct Station {
     pub side: Side,
     pub wheel: model::Wheel,
     pub steer_axis: Option<SteerAxis>,
-    pub spring: Option<SpringLine>,
+    pub spring: Option<StrutLine>,
+    damper: Option<StrutLine>,
     /// The driver of the height, released where the wheel is free.
     pub travel: DriverId,
     /// The driver of the height of the other wheel on the axle.
@@ -47,6 +48,7 @@ impl Station {
             wheel: suspension.wheel,
             steer_axis: suspension.steer_axis,
             spring: suspension.spring,
+            damper: suspension.damper,
             travel: suspension.travel,
             other_travel: None,
             rack: suspension.rack,
@@ -69,6 +71,7 @@ impl Station {
             wheel: part.wheel,
             steer_axis: part.steer_axis,
             spring: part.spring,
+            damper: part.damper,
             travel: part.travel,
             other_travel: Some(other.travel),
             rack: suspension.rack,
@@ -85,8 +88,9 @@ impl Station {
     /// Whether a motion moves the wheel, its steer axis or its spring.
     pub fn is_moved(&self, motion: &FreeMotion) -> bool {
         let axis = self.steer_axis.iter().flat_map(|axis| [axis.lower.1, axis.upper.1]);
-        let spring = self.spring.iter().flat_map(|spring| spring.ends.map(|(_, body)| body));
-        let mut bodies = axis.chain(spring).chain([self.wheel.body]);
+        let struts = self.spring.iter().chain(&self.damper);
+        let struts = struts.flat_map(|strut| strut.ends.map(|(_, body)| body));
+        let mut bodies = axis.chain(struts).chain([self.wheel.body]);
         bodies.any(|body| motion.bodies.contains(&body))
     }
 
@@ -115,7 +119,7 @@ impl Station {
 
     /// Where wheel, steer axis and spring are at a state of the mechanism.
     pub fn pose_at(&self, stand: &Stand, state: &[Coordinates<f64>]) -> Pose<f64> {
-        let Self { wheel, steer_axis, spring, .. } = self;
+        let Self { wheel, steer_axis, spring, damper, .. } = self;
         let mechanism = stand.mechanism();
         let rotation = rotation(state, wheel.body);
         let point = |(point, body)| point_position(mechanism, state, body, point);
@@ -140,6 +144,7 @@ impl Station {
             rotation,
             steer_axis: steer_axis.map(|axis| Line::through([axis.lower, axis.upper].map(point))),
             spring: spring.map(|spring| Line::through(spring.ends.map(point))),
+            damper: damper.map(|damper| Line::through(damper.ends.map(point))),
             design,
             motions: None,
             load: None,
@@ -154,13 +159,17 @@ impl Station {
 
     /// The design position, carried along with the chassis of a state.
     fn design(&self, mechanism: &Mechanism, state: &[Coordinates<f64>]) -> Design<f64> {
-        let Self { wheel, spring, chassis, .. } = self;
+        let Self { wheel, spring, damper, chassis, .. } = self;
         let origin = mechanism.bodies()[chassis.index()].origin;
         let sunk = state[chassis.index()][2] - origin[2];
         let at = |point: PointId| add(mechanism.points()[point.index()].position, [0.0, 0.0, sunk]);
+        let line = |strut: &Option<StrutLine>| {
+            strut.map(|strut| Line::through(strut.ends.map(|(point, _)| at(point))))
+        };
         Design {
             wheel: Wheel { center: at(wheel.center), spin: wheel.spin_axis, radius: wheel.radius },
-            spring: spring.map(|spring| Line::through(spring.ends.map(|(point, _)| at(point)))),
+            spring: line(spring),
+            damper: line(damper),
         }
     }
 
@@ -195,6 +204,7 @@ impl Station {
                 .steer_axis
                 .map(|axis| Line::through([axis.lower, axis.upper].map(velocity))),
             spring: self.spring.map(|spring| Line::through(spring.ends.map(velocity))),
+            damper: self.damper.map(|damper| Line::through(damper.ends.map(velocity))),
         })
     }
 

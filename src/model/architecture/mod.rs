@@ -30,7 +30,8 @@ pub struct Architecture {
     pub(crate) rack: Option<usize>,
     pub(crate) wheel: WheelRole,
     pub(crate) steer_axis: Option<SteerAxis>,
-    pub(crate) spring: Option<SpringSeats>,
+    pub(crate) spring: Option<Seats>,
+    pub(crate) damper: Option<Seats>,
 }
 
 /// A named point and what it is.
@@ -71,9 +72,9 @@ pub struct SteerAxis {
     pub upper: (PointId, BodyId),
 }
 
-/// The seats of the spring in models that have these points, by the name of the point and the body.
+/// The seats of a spring or a damper in models that have these points, by the name of the point and the body.
 #[derive(Clone, Debug)]
-pub(crate) struct SpringSeats {
+pub(crate) struct Seats {
     pub(crate) lower: (String, BodyId),
     pub(crate) upper: (String, BodyId),
 }

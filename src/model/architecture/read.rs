@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::{Architecture, BodyRole, PointRole, SpringSeats, SteerAxis, WheelRole, check};
+use super::{Architecture, BodyRole, PointRole, Seats, SteerAxis, WheelRole, check};
 use crate::mechanism::{BodyId, Joint, JointKind, PointId};
 use crate::model::axes::Axes;
 use crate::model::diagnostics::Report;
@@ -42,7 +42,8 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
     let rack = rack(root, &read_joints, report);
     let wheel = wheel(root, &names, report);
     let steer_axis = steer_axis(root, &names, report);
-    let spring = spring(root, &roles, &names, report);
+    let spring = seats(root, "spring", &roles, &names, report);
+    let damper = seats(root, "damper", &roles, &names, report);
     let axis_span = steer_axis.as_ref().map(Spanned::span);
     if !report.mistakes.is_empty() {
         return None;
@@ -59,6 +60,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
         wheel: wheel?,
         steer_axis: steer_axis.map(Spanned::into_inner),
         spring,
+        damper,
     };
     let places = check::Places {
         points: &roles.point_spans,
@@ -219,30 +221,31 @@ fn steer_axis_end(
     Some((point?, body?))
 }
 
-/// The seats of the spring may be optional points, so they are known by name.
-fn spring(
+/// The seats of a spring or a damper may be optional points, so they are known by name.
+fn seats(
     root: &mut Section,
+    name: &'static str,
     roles: &Roles,
     names: &Names,
     report: &mut Report,
-) -> Option<SpringSeats> {
+) -> Option<Seats> {
     let help = "name a point and a body for `lower` and `upper`, or remove the section";
-    let mut section = root.optional_section("spring", help, report)?;
+    let mut section = root.optional_section(name, help, report)?;
     let [lower, upper] =
-        ["lower", "upper"].map(|end| spring_seat(&mut section, end, roles, names, report));
+        ["lower", "upper"].map(|end| seat(&mut section, end, roles, names, report));
     section.finish(report);
-    Some(SpringSeats { lower: lower?, upper: upper? })
+    Some(Seats { lower: lower?, upper: upper? })
 }
 
-fn spring_seat(
-    spring: &mut Section,
+fn seat(
+    seats: &mut Section,
     end: &'static str,
     roles: &Roles,
     names: &Names,
     report: &mut Report,
 ) -> Option<(String, BodyId)> {
     let help = format!("write `{end} = {{ point = \"…\", body = \"…\" }}`");
-    let mut section = spring.section(end, &help, report)?;
+    let mut section = seats.section(end, &help, report)?;
     let point = section.required::<String>("point", &help, report);
     let body = section.required("body", &help, report);
     section.finish(report);
