@@ -1,5 +1,5 @@
 //! What the benchmarks share.
-#![allow(dead_code, reason = "each benchmark uses a part of it")]
+#![allow(dead_code, unused_imports, reason = "each benchmark uses a part of it")]
 
 pub mod assembly;
 #[path = "../../tests/common/dual.rs"]

@@ -123,6 +123,34 @@ impl Terms {
         }
     }
 
+    /// The row of Φ_q of one equation, in the places of the unknowns.
+    ///
+    /// # Panics
+    /// If there is no such equation.
+    pub fn gradient(
+        &mut self,
+        equation: usize,
+        state: &[Coordinates<f64>],
+        h: &[f64],
+        gradient: &mut [f64],
+    ) {
+        let owner = self.list.iter().find(|term| term.equations.contains(&equation));
+        let term = owner.expect("every equation belongs to a relation");
+        let shape = term.shape;
+        let phi_q = &mut self.phi_q[..shape.jacobian.len()];
+        let work = &mut self.work[..shape.work.len()];
+        let phi = &mut self.phi[..shape.equations];
+        term.kernels.jacobian(term.place(state, h), phi, phi_q, work);
+        gradient.fill(0.0);
+        for (&(row, local), value) in shape.jacobian.iter().zip(phi_q) {
+            if term.equations.start + usize::from(row) == equation
+                && let Some(unknown) = term.unknown(local)
+            {
+                gradient[unknown] = *value;
+            }
+        }
+    }
+
     /// Φ_q v, all equations: how fast Φ changes with the velocities v.
     pub fn velocity_product(
         &mut self,

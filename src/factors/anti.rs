@@ -33,7 +33,7 @@ fn roll_center_by_track<S: Real>(pose: &Pose<S>) -> Option<S> {
 const ROLL: Factor = Factor {
     subject: Subject::RollCenter,
     quantity: Quantity::Length,
-    needs: &[Need::HeldWheel],
+    needs: &[Need::Motion],
     ..Factor::BLANK
 };
 
@@ -126,7 +126,7 @@ fn driving_in_bump<S: Real>(pose: &Pose<S>) -> Option<S> {
 const SLOPE: Factor = Factor {
     subject: Subject::Anti,
     quantity: Quantity::Ratio,
-    needs: &[Need::HeldWheel, Need::Axle],
+    needs: &[Need::Motion, Need::Axle],
     source: "Lotus; Milliken, Race Car Vehicle Dynamics, ch. 17",
     ..Factor::BLANK
 };
@@ -142,7 +142,7 @@ const BRAKING: Factor = Factor {
         value: formula!(braking_in_bump),
     }),
     sign: "+ less pitch",
-    needs: &[Need::HeldWheel, Need::Axle, Need::Wheelbase, Need::CgHeight, Need::BrakeShare],
+    needs: &[Need::Motion, Need::Axle, Need::Wheelbase, Need::CgHeight, Need::BrakeShare],
     ..SLOPE
 };
 
@@ -155,7 +155,7 @@ const DRIVING: Factor = Factor {
         source: "Lotus",
         value: formula!(driving_in_bump),
     }),
-    needs: &[Need::HeldWheel, Need::Axle, Need::Wheelbase, Need::CgHeight, Need::DriveShare],
+    needs: &[Need::Motion, Need::Axle, Need::Wheelbase, Need::CgHeight, Need::DriveShare],
     ..BRAKING
 };
 

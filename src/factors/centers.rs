@@ -91,7 +91,7 @@ fn side<S: Real>(pose: &Pose<S>, plane: Plane) -> Option<Vector<S>> {
 const CENTERS: Factor = Factor {
     subject: Subject::Centers,
     quantity: Quantity::Length,
-    needs: &[Need::HeldWheel],
+    needs: &[Need::Motion],
     source: "plane motion; Adams/Car, Altair",
     ..Factor::BLANK
 };

@@ -5,8 +5,8 @@ use crate::rig::Pose;
 /// Something that a model or a state may lack.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Need {
-    /// Tangents: a wheel that is held at its height.
-    HeldWheel,
+    /// Tangents: how the wheel moves in travel.
+    Motion,
     /// A compliance matrix.
     Compliance,
     /// Both wheels of an axle.
@@ -45,7 +45,9 @@ impl Need {
     /// What to add, as the end of "needs …".
     pub const fn words(self) -> &'static str {
         match self {
-            Self::HeldWheel => "a wheel that is held at its height, off a dead centre",
+            Self::Motion => {
+                "a state off a dead centre, and one of equilibrium where the wheel is free"
+            }
             Self::Compliance => {
                 "a compliance matrix: forces that hold the wheel where the rig lets it go"
             }
@@ -74,7 +76,7 @@ impl Need {
     /// A few words for a table.
     pub const fn label(self) -> &'static str {
         match self {
-            Self::HeldWheel => "held wheel",
+            Self::Motion => "motion",
             Self::Compliance => "compliance",
             Self::BothWheels => "both wheels",
             Self::Tyre => "tyre",
@@ -98,7 +100,7 @@ impl Need {
     pub fn is_met(self, pose: &Pose<f64>) -> bool {
         let vehicle = &pose.vehicle;
         match self {
-            Self::HeldWheel => pose.motions.is_some(),
+            Self::Motion => pose.motions.is_some(),
             Self::Compliance => pose.compliance.is_some(),
             Self::BothWheels => pose.other.is_some(),
             Self::Tyre => pose.tyre.is_some(),

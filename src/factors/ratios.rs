@@ -79,7 +79,7 @@ macro_rules! strut {
                 formula: concat!("−dL_", $symbol, " / dW_z"),
                 source: "Adams/Car; Milliken, Race Car Vehicle Dynamics, ch. 16",
                 value: formula!(|pose| ratio($strut(pose)?.compression(), center_rise(pose))),
-                needs: &[Need::HeldWheel, $need],
+                needs: &[Need::Motion, $need],
                 ..RATIO
             },
             Factor {
@@ -90,7 +90,7 @@ macro_rules! strut {
                 formula: concat!("−dL_", $symbol, " / dP_z, P the lowest point"),
                 source: "Lotus",
                 value: formula!(|pose| ratio($strut(pose)?.compression(), patch_rise(pose))),
-                needs: &[Need::HeldWheel, $need],
+                needs: &[Need::Motion, $need],
                 ..RATIO
             },
             Factor {
@@ -101,7 +101,7 @@ macro_rules! strut {
                 formula: concat!("−dW_z / dL_", $symbol),
                 source: "Adams/Car",
                 value: formula!(|pose| ratio(center_rise(pose), $strut(pose)?.compression())),
-                needs: &[Need::HeldWheel, $need],
+                needs: &[Need::Motion, $need],
                 ..RATIO
             },
             Factor {
@@ -112,7 +112,7 @@ macro_rules! strut {
                 formula: concat!("−dP_z / dL_", $symbol, ", P the lowest point"),
                 source: $of,
                 value: formula!(|pose| ratio(patch_rise(pose), $strut(pose)?.compression())),
-                needs: &[Need::HeldWheel, $need],
+                needs: &[Need::Motion, $need],
                 ..RATIO
             },
         ]

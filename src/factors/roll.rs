@@ -115,7 +115,7 @@ fn roll_camber<S: Real>(pose: &Pose<S>) -> Option<S> {
 const CENTER: Factor = Factor {
     subject: Subject::Roll,
     scope: Scope::Axle,
-    needs: &[Need::HeldWheel, Need::BothWheels],
+    needs: &[Need::Motion, Need::BothWheels],
     ..Factor::BLANK
 };
 

@@ -226,11 +226,11 @@ pub(super) const THROUGH_JOINTS: [Factor; 10] = of_axis!(
 );
 
 const VIRTUAL: Factor =
-    Factor { subject: Subject::VirtualAxis, needs: &[Need::HeldWheel, Need::Rack], ..BASE };
+    Factor { subject: Subject::VirtualAxis, needs: &[Need::Motion, Need::Rack], ..BASE };
 
 const VIRTUAL_SPRING: Factor = Factor {
     subject: Subject::VirtualAxisSpring,
-    needs: &[Need::HeldWheel, Need::Rack, Need::Spring],
+    needs: &[Need::Motion, Need::Rack, Need::Spring],
     ..BASE
 };
 

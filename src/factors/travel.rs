@@ -60,8 +60,7 @@ fn per<S: Real>(rise: Option<S>, rate: Option<S>) -> Option<S> {
     quotient(rate?, rise?, NEARLY_PARALLEL)
 }
 
-const TRAVEL: Factor =
-    Factor { subject: Subject::Travel, needs: &[Need::HeldWheel], ..Factor::BLANK };
+const TRAVEL: Factor = Factor { subject: Subject::Travel, needs: &[Need::Motion], ..Factor::BLANK };
 
 const GRADIENT: Factor = Factor { quantity: Quantity::Gradient, ..TRAVEL };
 
@@ -112,7 +111,7 @@ pub(super) const GRADIENTS: &[Factor] = &[
             source: "Lotus",
             value: formula!(|pose| per(patch_rise(pose), caster_rate(pose))),
         }),
-        needs: &[Need::HeldWheel, Need::SteerAxis],
+        needs: &[Need::Motion, Need::SteerAxis],
         ..GRADIENT
     },
     Factor {

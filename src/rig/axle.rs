@@ -1,6 +1,7 @@
 //! An axle on the rig.
 
 use super::channel::{Channel, heave_channel};
+use super::compliance::Compliance;
 use super::corner::RigError;
 use super::hold::Hold;
 use super::load::{Load, LoadPoint, WheelLoads};
@@ -12,6 +13,7 @@ use super::target::{Supports, Target};
 use crate::mechanism::Force;
 use crate::model::{AxleSide, AxleSuspension, Model, Rolling, Setup, Side, WheelSupport};
 use crate::relation::Coordinates;
+use crate::solve::compliance::ComplianceError;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop};
 
@@ -226,13 +228,33 @@ impl Axle {
         self.stations[side.index()].pose_at(&self.stand, state)
     }
 
+    /// The compliance of both wheels at the current travels, rack and loads; the equilibrium is found
+    /// first where it is not known yet.
+    ///
+    /// # Errors
+    /// [`ComplianceError`] where there is no equilibrium, or a wheel has no stiffness without
+    /// the rig.
+    pub fn compliance(&mut self) -> Result<Compliance, ComplianceError> {
+        if self.stand.is_loaded() && !self.stand.is_in_equilibrium() {
+            self.rest()?;
+        }
+        let Self { stations, stand, .. } = self;
+        let poses = stations.each_ref().map(|station| station.pose_at(stand, stand.state()));
+        Compliance::of(stand.rates().equilibrium(), stations, &poses)
+    }
+
     /// The left and the right wheel, each knowing of the other, and how they give way where that
     /// is measured.
     pub fn poses(&mut self) -> [Pose<f64>; 2] {
-        let Self { stations, stand, suspension, .. } = self;
-        let mut poses = [0, 1].map(|side| stations[side].pose(stand, &suspension.mechanism));
-        if self.measures_compliance && poses[0].motions.is_some() {
-            let matrix = self.compliance().ok();
+        let Self { stations, stand, suspension, measures_compliance, .. } = self;
+        let mut poses = stations.each_ref().map(|station| station.pose(stand));
+        let mut rates = stand.rates();
+        for (station, pose) in stations.iter().zip(&mut poses) {
+            station.move_along(pose, &mut rates, &suspension.mechanism);
+        }
+        let held = stations.iter().all(Station::is_held);
+        if *measures_compliance && held && poses[0].motions.is_some() {
+            let matrix = Compliance::of(rates.equilibrium(), stations, &poses).ok();
             for (wheel, pose) in poses.iter_mut().enumerate() {
                 pose.compliance = matrix.as_ref().map(|matrix| matrix.of_wheel(wheel));
             }

@@ -1,13 +1,12 @@
 //! The compliance matrix of a corner or an axle.
 
-use super::axle::Axle;
-use super::corner::Corner;
 use super::load::LoadPoint;
 use super::pose::{Pose, WheelCompliance};
+use super::station::Station;
 use crate::mechanism::{BodyId, DriverId, PointId};
-use crate::model::{AxleSide, Side, Suspension, Wheel};
+use crate::model::Side;
 use crate::solve::compliance::{ComplianceError, WRENCH};
-use crate::solve::equilibrium::Equilibrium;
+use crate::solve::linearised::Linearised;
 use crate::vector::{Vector, cross, sub};
 
 /// How wheels give way to loads that are small: C, 6×6 for a corner and 12×12 for an axle, left wheel
@@ -107,66 +106,23 @@ impl Compliance {
         Self { matrix, at: LoadPoint::ContactPatch, ..self.clone() }
     }
 
-    fn of(equilibrium: &Equilibrium, wheels: &[OnRig]) -> Result<Self, ComplianceError> {
-        // The driver of a wheel that is free has been let go before.
-        let drivers: Vec<DriverId> = wheels.iter().map(|wheel| wheel.travel).collect();
-        let points: Vec<(BodyId, PointId)> =
-            wheels.iter().map(|OnRig { wheel, .. }| (wheel.body, wheel.center)).collect();
-        let arm = |wheel: &OnRig| {
-            let Pose { wheel, .. } = &wheel.pose;
-            sub(wheel.contact_patch(), wheel.center)
-        };
+    /// The compliance of wheels at the state of a linearised equilibrium.
+    pub(super) fn of(
+        equilibrium: &mut Linearised<'_>,
+        stations: &[Station],
+        poses: &[Pose<f64>],
+    ) -> Result<Self, ComplianceError> {
+        let travels: Vec<DriverId> = stations.iter().map(|station| station.travel).collect();
+        let centers: Vec<(BodyId, PointId)> =
+            stations.iter().map(|Station { wheel, .. }| (wheel.body, wheel.center)).collect();
+        let arm = |Pose { wheel, .. }: &Pose<f64>| sub(wheel.contact_patch(), wheel.center);
         Ok(Self {
-            sides: wheels.iter().map(|wheel| wheel.pose.side).collect(),
-            arms: wheels.iter().map(arm).collect(),
+            sides: stations.iter().map(|station| station.side).collect(),
+            arms: poses.iter().map(arm).collect(),
             at: LoadPoint::WheelCenter,
-            matrix: equilibrium.compliance(&drivers, &points)?,
+            // The driver of a wheel that is free has been let go before.
+            matrix: equilibrium.compliance(&travels, &centers)?,
         })
-    }
-}
-
-/// A wheel where it is.
-struct OnRig {
-    wheel: Wheel,
-    travel: DriverId,
-    pose: Pose<f64>,
-}
-
-impl Corner {
-    /// The compliance of the wheel at the current travel, rack and load; the equilibrium is found first
-    /// where it is not known yet.
-    ///
-    /// # Errors
-    /// [`ComplianceError`] where there is no equilibrium, or the wheel has no stiffness without
-    /// the rig.
-    pub fn compliance(&mut self) -> Result<Compliance, ComplianceError> {
-        if self.stand().is_loaded() && !self.stand().is_in_equilibrium() {
-            self.rest()?;
-        }
-        let Suspension { wheel, travel, .. } = *self.suspension();
-        let pose = self.pose_at(self.stand().state());
-        Compliance::of(self.equilibrium(), &[OnRig { wheel, travel, pose }])
-    }
-}
-
-impl Axle {
-    /// The compliance of both wheels at the current travels, rack and loads; the equilibrium is found
-    /// first where it is not known yet.
-    ///
-    /// # Errors
-    /// [`ComplianceError`] where there is no equilibrium, or a wheel has no stiffness without
-    /// the rig.
-    pub fn compliance(&mut self) -> Result<Compliance, ComplianceError> {
-        if self.stand().is_loaded() && !self.stand().is_in_equilibrium() {
-            self.rest()?;
-        }
-        let state = self.stand().state();
-        let wheels = self.suspension().sides.map(|AxleSide { side, wheel, travel, .. }| OnRig {
-            wheel,
-            travel,
-            pose: self.pose_at(side, state),
-        });
-        Compliance::of(self.equilibrium(), &wheels)
     }
 }
 

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::channel::Channel;
+use super::compliance::Compliance;
 use super::hold::Hold;
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::Pose;
@@ -13,6 +14,7 @@ use super::target::{Supports, Target};
 use crate::mechanism::{Force, MechanismError};
 use crate::model::{Model, Setup, Suspension, SuspensionError, WheelSupport};
 use crate::relation::Coordinates;
+use crate::solve::compliance::ComplianceError;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{
     FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop, SystemError,
@@ -188,11 +190,32 @@ impl Corner {
     /// Where wheel, steer axis and spring are, how they move, what the wheel carries, and how it gives way
     /// where that is measured.
     pub fn pose(&mut self) -> Pose<f64> {
-        let mut pose = self.station.pose(&mut self.stand, &self.suspension.mechanism);
-        if self.measures_compliance && pose.motions.is_some() {
-            pose.compliance = self.compliance().ok().map(|matrix| matrix.of_wheel(0));
+        let Self { station, stand, suspension, measures_compliance, .. } = self;
+        let mut pose = station.pose(stand);
+        let mut rates = stand.rates();
+        station.move_along(&mut pose, &mut rates, &suspension.mechanism);
+        if *measures_compliance && station.is_held() && pose.motions.is_some() {
+            let station = std::slice::from_ref(station);
+            let matrix = Compliance::of(rates.equilibrium(), station, &[pose]).ok();
+            pose.compliance = matrix.map(|matrix| matrix.of_wheel(0));
         }
         pose
+    }
+
+    /// The compliance of the wheel at the current travel, rack and load; the equilibrium is found first
+    /// where it is not known yet.
+    ///
+    /// # Errors
+    /// [`ComplianceError`] where there is no equilibrium, or the wheel has no stiffness without
+    /// the rig.
+    pub fn compliance(&mut self) -> Result<Compliance, ComplianceError> {
+        if self.stand.is_loaded() && !self.stand.is_in_equilibrium() {
+            self.rest()?;
+        }
+        let Self { station, stand, .. } = self;
+        let pose = station.pose_at(stand, stand.state());
+        let station = std::slice::from_ref(station);
+        Compliance::of(stand.rates().equilibrium(), station, &[pose])
     }
 
     /// Where wheel, steer axis and spring are at a state of the mechanism, with drivers that are held

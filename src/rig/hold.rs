@@ -76,7 +76,7 @@ impl Stand {
             sum.relative_residual = report.relative_residual;
         };
         let mut lacking = self.lacking(sought);
-        let mut rates = self.rates(sought);
+        let mut rates = self.slopes(sought);
         let (mut fraction, mut why) = (1.0, None);
         for _ in 0..MOST_STEPS {
             let worst = largest(&lacking);
@@ -94,7 +94,7 @@ impl Stand {
             let moved = self.move_to(&values).map(&mut add);
             if moved.is_ok() && largest(&self.lacking(sought)) < worst {
                 lacking = self.lacking(sought);
-                rates = self.rates(sought);
+                rates = self.slopes(sought);
                 fraction = f64::min(1.0, 2.0 * fraction);
                 continue;
             }
@@ -135,14 +135,15 @@ impl Stand {
 
     /// The derivatives of forces (rows) by values (columns), row by row; `None` where the equilibrium is
     /// not isolated.
-    fn rates(&mut self, sought: &[(DriverId, f64)]) -> Option<Vec<f64>> {
+    fn slopes(&mut self, sought: &[(DriverId, f64)]) -> Option<Vec<f64>> {
         let count = sought.len();
         let mut rates = vec![0.0; count * count];
+        let equations: Vec<usize> =
+            sought.iter().map(|&(driver, _)| self.equilibrium().equation_of(driver)).collect();
+        let mut near = self.rates();
         for (column, &(driver, _)) in sought.iter().enumerate() {
-            let equations: Vec<usize> =
-                sought.iter().map(|&(driver, _)| self.equilibrium().equation_of(driver)).collect();
-            let tangent = self.driver_tangent(driver)?;
-            for (row, equation) in equations.into_iter().enumerate() {
+            let tangent = near.equilibrium().tangent(driver).ok()?;
+            for (row, &equation) in equations.iter().enumerate() {
                 rates[row * count + column] = -tangent.multiplier(equation);
             }
         }

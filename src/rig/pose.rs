@@ -68,7 +68,8 @@ pub struct Motion<S> {
     pub damper: Option<Line<S>>,
 }
 
-/// The motions of a corner whose wheel is held at its height.
+/// The motions of a corner. A free wheel is lifted by a vertical force where its height would be driven,
+/// along states of equilibrium; that of another wheel of the axle is held at its height then.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motions<S> {
     /// Per metre of the height that is driven, the rack held.
@@ -114,7 +115,8 @@ pub struct Pose<S> {
     /// The design position.
     pub design: Design<S>,
     /// How the corner moves: as the joints allow where they determine the position, else along
-    /// states of equilibrium. `None` where the wheel is free, and in a dead centre.
+    /// states of equilibrium. `None` in a dead centre, where equilibrium is not found, and for a free wheel
+    /// under a chassis on its slide, which goes with it.
     pub motions: Option<Motions<S>>,
     /// The vertical load of the wheel, where the model has forces.
     pub load: Option<WheelLoad<S>>,

@@ -5,14 +5,15 @@ use super::channel::{
 };
 use super::corner::RigError;
 use super::pose::Pose;
+use super::rates::Rates;
 use super::sweep::Specimen;
 use super::target::Target;
 use crate::mechanism::{DriverId, Mechanism};
 use crate::model::Axes;
 use crate::relation::Coordinates;
-use crate::solve::equilibrium::{DriverTangent, Equilibrium};
+use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{
-    FreedomReport, StaticFailure, StaticReport, StepReport, Stop, System, Tangent, Tolerances,
+    FreedomReport, StaticFailure, StaticReport, StepReport, Stop, System, Tolerances,
 };
 
 /// A mechanism with its state.
@@ -108,33 +109,12 @@ impl Stand {
         self.equilibrium.driver_value(driver)
     }
 
-    /// How the force (N) or moment (N·m) that holds a driver grows with its value, −dλ/dv;
-    /// `None` where the equilibrium is not isolated.
-    pub fn driver_rate(&mut self, driver: DriverId) -> Option<f64> {
-        let equation = self.equilibrium.equation_of(driver);
-        Some(-self.driver_tangent(driver)?.multiplier(equation))
-    }
-
-    /// How the equilibrium changes with the value of a driver; `None` where it is not isolated.
-    pub(super) fn driver_tangent(&mut self, driver: DriverId) -> Option<DriverTangent<'_>> {
-        self.equilibrium.driver_tangent(driver).ok()
-    }
-
-    /// How all bodies move per unit (m or rad) of a driver, the other drivers held: as the joints
-    /// allow where they determine the position, else along states of equilibrium.
-    /// `None` for a driver that is released, in a dead centre, and where equilibrium is sought but
-    /// not found or not isolated.
-    pub fn tangent(&mut self, driver: DriverId) -> Option<Tangent<'_>> {
-        if self.released.contains(&driver) {
-            return None;
-        }
-        if self.rigid || !self.loaded {
-            return self.system.tangent(driver).ok();
-        }
-        if !self.found {
-            return None;
-        }
-        self.equilibrium.driver_tangent(driver).ok().map(|tangent| tangent.motion)
+    /// How the stand moves and what it takes, near its state.
+    pub fn rates(&mut self) -> Rates<'_> {
+        let kinematic = self.rigid || !self.loaded;
+        let system = kinematic.then_some(&mut self.system);
+        let found = self.loaded && self.found;
+        Rates::new(system, self.equilibrium.linearised(), found, &self.released)
     }
 
     /// The channels of bodies alone: positions and rotations.
@@ -188,9 +168,7 @@ impl Stand {
     /// Returns to the design position. Laws that were changed stay as they are.
     pub fn reset(&mut self) {
         self.system.reset();
-        let laws = self.equilibrium.elements().laws().to_vec();
-        self.equilibrium = Equilibrium::released(&self.system, &self.released);
-        self.equilibrium.elements_mut().laws_mut().clone_from_slice(&laws);
+        self.equilibrium.restart(&self.system);
         self.found = false;
     }
 

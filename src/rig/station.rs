@@ -2,6 +2,7 @@
 
 use super::line::{Line, Wheel};
 use super::pose::{Design, Motion, Motions, Pose, TyreState, WheelLoad};
+use super::rates::Rates;
 use super::stand::Stand;
 use crate::mechanism::{BodyId, DriverId, ForceId, Law, Mechanism, PointId};
 use crate::model::{
@@ -10,7 +11,11 @@ use crate::model::{
 };
 use crate::relation::Coordinates;
 use crate::solve::{FreeMotion, point_position, rotation};
-use crate::vector::{add, dot, sub};
+use crate::vector::{add, dot, norm, sub};
+
+/// The part of a wheel's velocity that has to be left against the chassis. A chassis that is free on
+/// its slide goes up with the wheel, on a spring whose force stays the same: no motion of the suspension.
+const CARRIED: f64 = 1e-6;
 
 /// A wheel with its parts, as the mechanism on the rig numbers them.
 #[derive(Clone, Debug)]
@@ -93,11 +98,27 @@ impl Station {
         bodies.any(|body| motion.bodies.contains(&body))
     }
 
-    /// Where wheel, steer axis and spring are, how they move, and what the wheel carries.
-    pub fn pose(&self, stand: &mut Stand, mechanism: &Mechanism) -> Pose<f64> {
-        let (load, motions) = (self.load(stand), self.motions(stand, mechanism));
-        let tyre = load.and_then(|load| self.tyre_under(load.force));
-        Pose { load, tyre, motions, ..self.pose_at(stand, stand.state()) }
+    /// Where wheel, steer axis and spring are, and what the wheel carries.
+    pub fn pose(&self, stand: &Stand) -> Pose<f64> {
+        let force = self.force(stand);
+        let load = force.map(|force| WheelLoad { force, rate: None });
+        let tyre = force.and_then(|force| self.tyre_under(force));
+        Pose { load, tyre, ..self.pose_at(stand, stand.state()) }
+    }
+
+    /// Adds how the parts of a pose move, and how the force on the wheel grows.
+    pub fn move_along(&self, pose: &mut Pose<f64>, rates: &mut Rates<'_>, mechanism: &Mechanism) {
+        pose.motions = self.motions(rates, mechanism);
+        if let Some(load) = &mut pose.load
+            && self.is_held()
+        {
+            load.rate = rates.driver_rate(self.travel);
+        }
+    }
+
+    /// Whether the rig holds the wheel at its height.
+    pub fn is_held(&self) -> bool {
+        self.support == WheelSupport::Held
     }
 
     /// Where wheel, steer axis and spring are at a state of the mechanism.
@@ -182,21 +203,27 @@ impl Station {
     }
 
     /// How the parts move with the drivers, those of other wheels held.
-    fn motions(&self, stand: &mut Stand, mechanism: &Mechanism) -> Option<Motions<f64>> {
-        let travel = self.motion(self.travel, stand, mechanism)?;
-        let rack = self.rack.and_then(|rack| self.motion(rack, stand, mechanism));
-        let across = self.other_travel.and_then(|other| self.motion(other, stand, mechanism));
+    fn motions(&self, rates: &mut Rates<'_>, mechanism: &Mechanism) -> Option<Motions<f64>> {
+        let travel = self.motion(self.travel, rates, mechanism)?;
+        let rack = self.rack.and_then(|rack| self.motion(rack, rates, mechanism));
+        let across = self.other_travel.and_then(|other| self.motion(other, rates, mechanism));
         Some(Motions { travel, rack, across: across.map(|motion| motion.wheel) })
     }
 
     fn motion(
         &self,
         driver: DriverId,
-        stand: &mut Stand,
+        rates: &mut Rates<'_>,
         mechanism: &Mechanism,
     ) -> Option<Motion<f64>> {
-        let tangent = stand.tangent(driver)?;
+        let tangent = rates.tangent(driver)?;
         let twist = |body| tangent.twist(body).minus(&tangent.twist(self.chassis));
+        let center = point_position(mechanism, tangent.state(), self.wheel.body, self.wheel.center);
+        let [own, relative] = [tangent.twist(self.wheel.body), twist(self.wheel.body)]
+            .map(|twist| norm(twist.at(center)));
+        if relative < CARRIED * own {
+            return None;
+        }
         let velocity = |(point, body): (PointId, BodyId)| {
             twist(body).at(point_position(mechanism, tangent.state(), body, point))
         };
@@ -218,20 +245,14 @@ impl Station {
         (rate > 0.0).then_some(TyreState { rate, deflection: -value })
     }
 
-    /// The vertical force on the wheel and how it grows with its travel.
-    fn load(&self, stand: &mut Stand) -> Option<WheelLoad<f64>> {
+    /// The vertical force on the wheel.
+    fn force(&self, stand: &Stand) -> Option<f64> {
         if !stand.is_loaded() || !stand.is_in_equilibrium() {
             return None;
         }
         match self.support {
-            WheelSupport::Held => {
-                let force = -stand.equilibrium().driver_multiplier(self.travel);
-                Some(WheelLoad { force, rate: stand.driver_rate(self.travel) })
-            }
-            WheelSupport::Free => {
-                let force = stand.equilibrium().loaded().force(self.tyre?);
-                Some(WheelLoad { force: force.force[2], rate: None })
-            }
+            WheelSupport::Held => Some(-stand.equilibrium().driver_multiplier(self.travel)),
+            WheelSupport::Free => Some(stand.equilibrium().loaded().force(self.tyre?).force[2]),
         }
     }
 }

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::equilibrium::Equilibrium;
+use super::linearised::Linearised;
 use super::motion::{Twist, point_position};
 use super::stability::{Softest, softest};
 use super::statics::StaticFailure;
@@ -43,13 +44,31 @@ pub enum ComplianceError {
 }
 
 impl Equilibrium {
+    /// As [`Linearised::compliance`], for whoever wants nothing else of the state.
+    ///
+    /// # Errors
+    /// As for [`Linearised::compliance`].
+    ///
+    /// # Panics
+    /// As [`Linearised::compliance`] does.
+    pub fn compliance(
+        &mut self,
+        let_go: &[DriverId],
+        points: &[(BodyId, PointId)],
+    ) -> Result<Vec<f64>, ComplianceError> {
+        self.linearised().compliance(let_go, points)
+    }
+}
+
+impl Linearised<'_> {
     /// The compliance at the state that was found last, row by row: entry (6 k + i, 6 l + j) is the
     /// displacement or rotation i (m or rad) of point k per unit of the force or moment j (N or N·m) at
     /// point l. All are along and about the axes of the ground, and a rotation is an increment of the
     /// rotation vector. Points are those of the given bodies.
     ///
-    /// The given drivers let go. What they hold with stays on as a dead load: it keeps its size and
-    /// acts where and as the driver did, so its curvature (Φ_qᵀλ)_q is part of the stiffness.
+    /// The given drivers let go; those that are released are free anyway, held here or not. What a
+    /// driver holds with stays on as a dead load: it keeps its size and acts where and as the driver did,
+    /// so its curvature (Φ_qᵀλ)_q is part of the stiffness.
     ///
     /// # Errors
     /// [`ComplianceError`] where something has no stiffness without these drivers.
@@ -57,13 +76,17 @@ impl Equilibrium {
     /// # Panics
     /// If a driver, body or point belongs to another mechanism.
     pub fn compliance(
-        &self,
+        &mut self,
         let_go: &[DriverId],
         points: &[(BodyId, PointId)],
     ) -> Result<Vec<f64>, ComplianceError> {
-        let mut free = self.let_go(let_go);
-        free.problem.measure();
-        if let Some(Softest { stiffness, motion, holds: false }) = softest(&free) {
+        let factorised = self.factorise();
+        self.solved = None;
+        let it = &mut *self.equilibrium;
+        let row = |&driver: &DriverId| it.problem.numbering.row(it.equation_of(driver));
+        let rows: Vec<usize> = let_go.iter().filter_map(row).collect();
+        it.problem.measure_forces();
+        if let Some(Softest { stiffness, motion, holds: false }) = softest(it, &rows) {
             return Err(if stiffness < 0.0 {
                 ComplianceError::Unstable { motion, stiffness }
             } else {
@@ -73,25 +96,34 @@ impl Equilibrium {
         let singular = |_| ComplianceError::NoStiffness {
             motion: "a motion that the matrix of the equilibrium does not tell apart".to_owned(),
         };
-        free.linear.factorise(free.problem.kkt.values()).map_err(singular)?;
-        let state = &free.problem.state;
+        factorised.map_err(singular)?;
+        let Equilibrium { problem, mechanism, linear, step, scratch, .. } = it;
+        let free = &mut scratch.let_go;
+        free.begin(step.len(), rows.len());
+        for (k, row) in rows.iter().enumerate() {
+            free.condition_mut(k)[problem.numbering.unknowns() + row] = 1.0;
+        }
+        free.close(linear.as_mut()).map_err(singular)?;
+        let mut excess = vec![0.0; rows.len()];
+        let state = &problem.state;
         let places: Vec<Vector<f64>> = points
             .iter()
-            .map(|&(body, point)| point_position(&free.mechanism, state, body, point))
+            .map(|&(body, point)| point_position(mechanism, state, body, point))
             .collect();
         let order = WRENCH * points.len();
         let mut compliance = vec![0.0; order * order];
         for column in 0..order {
             let (body, _) = points[column / WRENCH];
             let at = places[column / WRENCH];
-            free.step.fill(0.0);
+            step.fill(0.0);
             let first = coordinates_of(body);
             let load = unit_load(&state[body.index()], at, column % WRENCH);
-            free.step[first..first + BODY_COORDINATES].copy_from_slice(&load);
-            free.linear.solve(&mut free.step).map_err(singular)?;
+            step[first..first + BODY_COORDINATES].copy_from_slice(&load);
+            linear.solve_refined(step).map_err(singular)?;
+            free.keep(step, &mut excess);
             for (k, (&(body, _), &at)) in points.iter().zip(&places).enumerate() {
                 let first = coordinates_of(body);
-                let rates = &free.step[first..first + BODY_COORDINATES];
+                let rates = &step[first..first + BODY_COORDINATES];
                 let twist = Twist::new(&state[body.index()], rates);
                 let moved = [twist.at(at), twist.rotation].concat();
                 for (i, moved) in moved.into_iter().enumerate() {

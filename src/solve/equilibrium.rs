@@ -1,13 +1,13 @@
 //! Static equilibrium: coordinates and multipliers together (paper, eq. 4–7).
 
 use super::convergence::{Outcome, Tolerances};
-use super::linear::{LinearSolver, Singular, largest, solver};
+use super::linear::{LinearSolver, largest, solver};
+use super::linearised::Scratch;
 use super::newton::{Equations, newton};
 use super::position::{Scales, move_bodies};
 use super::rank::undetermined;
 use super::system::System;
-use super::tangent::Tangent;
-use crate::assembly::{Elements, Inertias, Kkt, Numbering, Terms};
+use crate::assembly::{Elements, Inertias, Kkt, Numbering};
 use crate::mechanism::{DriverId, Expansion, Mechanism, Owner};
 use crate::relation::Coordinates;
 
@@ -25,21 +25,16 @@ const STIFFNESS_SHARE: f64 = 1e-3;
 pub struct Equilibrium {
     pub(super) mechanism: Mechanism,
     pub(super) expansion: Expansion,
-    pub(super) terms: Terms,
     pub(super) problem: Problem,
     pub(super) linear: Box<dyn LinearSolver>,
     pub(super) step: Vec<f64>,
     pub(super) released: Vec<DriverId>,
     pub(super) driver_values: Vec<f64>,
+    pub(super) scratch: Scratch,
     undetermined: Vec<usize>,
     design: Vec<f64>,
-    dh: Vec<f64>,
-    tangent: Vec<f64>,
-    phi_change: Vec<f64>,
-    force_change: Vec<f64>,
 }
 
-#[derive(Clone)]
 pub(super) struct Problem {
     pub kkt: Kkt,
     pub numbering: Numbering,
@@ -88,16 +83,12 @@ impl Equilibrium {
             undetermined: undetermined(expansion, system.terms(), state, h, kept),
             linear: solver(kkt.pattern()),
             step: vec![0.0; kkt.pattern().rows()],
-            tangent: vec![0.0; kkt.pattern().rows()],
-            dh: vec![0.0; position.h.len()],
-            phi_change: vec![0.0; equations],
-            force_change: vec![0.0; unknowns],
+            scratch: Scratch::new(position.h.len(), equations, unknowns),
             released: released.to_vec(),
             driver_values: drivers.map(|driver| system.driver_value(driver)).collect(),
             design: expansion.parameters(&system.mechanism().positions()),
             mechanism: system.mechanism().clone(),
             expansion: expansion.clone(),
-            terms: system.terms().clone(),
             problem: Problem {
                 scales: position.scales,
                 sizes: position.sizes().to_vec(),
@@ -122,34 +113,15 @@ impl Equilibrium {
         }
     }
 
-    /// The same state with more drivers taken away. Their multipliers stay, so that what they hold with
-    /// goes on as a dead load; Newton's method does not change them.
-    pub(super) fn let_go(&self, drivers: &[DriverId]) -> Self {
-        let goes = |&equation: &usize| match self.expansion.owner(equation) {
-            Owner::Driver(driver) => drivers.contains(&driver) || !self.is_held(equation),
-            _ => !self.is_held(equation),
-        };
-        let left_out: Vec<usize> = (0..self.expansion.equation_count()).filter(goes).collect();
-        let numbering = Numbering::new(&self.expansion, &left_out);
-        let elements = self.elements().clone();
-        let kkt = Kkt::with_forces(self.terms.clone(), elements, Inertias::none(), &numbering);
-        let rows = kkt.pattern().rows();
-        Self {
-            linear: solver(kkt.pattern()),
-            step: vec![0.0; rows],
-            tangent: vec![0.0; rows],
-            dh: self.dh.clone(),
-            undetermined: self.undetermined.clone(),
-            phi_change: self.phi_change.clone(),
-            force_change: self.force_change.clone(),
-            released: [&self.released, drivers].concat(),
-            driver_values: self.driver_values.clone(),
-            design: self.design.clone(),
-            mechanism: self.mechanism.clone(),
-            expansion: self.expansion.clone(),
-            terms: self.terms.clone(),
-            problem: Problem { kkt, numbering, ..self.problem.clone() },
+    /// Starts anew at the current state of the system it was made of, with the laws of the force elements
+    /// as they are. As long as the system holds the same equations, the way to eliminate is kept.
+    pub fn restart(&mut self, system: &System) {
+        let mut new = Self::released(system, &self.released);
+        new.elements_mut().laws_mut().clone_from_slice(self.elements().laws());
+        if new.problem.kkt.pattern() == self.problem.kkt.pattern() {
+            std::mem::swap(&mut new.linear, &mut self.linear);
         }
+        *self = new;
     }
 
     /// The mechanism.
@@ -224,6 +196,11 @@ impl Equilibrium {
         self.problem.h[slot] = self.design[slot] + value;
     }
 
+    /// How many times its matrix was factorised since it was made: the effort.
+    pub fn factorisations(&self) -> usize {
+        self.linear.factorisations()
+    }
+
     /// Solves for coordinates and multipliers by Newton's method.
     pub fn solve(&mut self, tolerances: &Tolerances) -> Outcome {
         self.problem.measure();
@@ -237,38 +214,6 @@ impl Equilibrium {
         self.solve(&once).status != super::newton::Status::Singular
     }
 
-    /// How coordinates (first) and multipliers of the rows that are held (then) change with
-    /// the value of a driver, at the solution that was found last.
-    ///
-    /// # Errors
-    /// [`Singular`] where the solution is not isolated.
-    pub fn driver_tangent(&mut self, driver: DriverId) -> Result<DriverTangent<'_>, Singular> {
-        let problem = &mut self.problem;
-        problem.kkt.fill(&problem.state, &problem.h, &problem.lambda, &mut problem.phi);
-        self.linear.factorise(problem.kkt.values())?;
-        self.dh.fill(0.0);
-        self.dh[self.expansion.driver_slot(driver)] = 1.0;
-        problem.kkt.terms().design_products(
-            &problem.state,
-            &problem.h,
-            &self.dh,
-            Some(&problem.lambda),
-            &mut self.phi_change,
-            &mut self.force_change,
-        );
-        let (force, phi) = self.tangent.split_at_mut(problem.kkt.unknowns());
-        for (out, change) in force.iter_mut().zip(&self.force_change) {
-            *out = -change;
-        }
-        for (out, &equation) in phi.iter_mut().zip(problem.numbering.kept()) {
-            *out = -self.phi_change[equation];
-        }
-        self.linear.solve(&mut self.tangent)?;
-        let (coordinates, multipliers) = self.tangent.split_at(problem.kkt.unknowns());
-        let motion = Tangent::new(&problem.state, coordinates);
-        Ok(DriverTangent { motion, multipliers, numbering: &problem.numbering })
-    }
-
     /// The equation of a driver, for [`DriverTangent::multiplier`].
     ///
     /// # Panics
@@ -279,25 +224,15 @@ impl Equilibrium {
     }
 }
 
-/// The derivative of an equilibrium by the value of a driver.
-pub struct DriverTangent<'a> {
-    /// Of the coordinates.
-    pub motion: Tangent<'a>,
-    multipliers: &'a [f64],
-    numbering: &'a Numbering,
-}
-
-impl DriverTangent<'_> {
-    /// Of the multiplier of an equation; zero where it is left out.
-    pub fn multiplier(&self, equation: usize) -> f64 {
-        self.numbering.row(equation).map_or(0.0, |row| self.multipliers[row])
-    }
-}
-
 impl Problem {
     /// Finds what forces are measured with.
     pub fn measure(&mut self) {
         self.kkt.fill(&self.state, &self.h, &self.lambda, &mut self.phi);
+        self.measure_forces();
+    }
+
+    /// The same, from the forces and stiffnesses of the last evaluation.
+    pub fn measure_forces(&mut self) {
         let scales = self.scales;
         let arm = |unknown| scales.length / scales.coordinate(unknown);
         let forces = self.kkt.magnitude().iter().zip(&self.load).enumerate();

@@ -158,16 +158,15 @@ pub(super) fn report(
             });
         }
     }
-    if let Some(basis) = null_space(jacobian, &selection.kept) {
-        report.free_motions = localise(state, basis.as_ref(), scales)
-            .iter()
-            .map(|twists| {
-                let (description, bodies) =
-                    describe(mechanism, state, twists, scales.length, Precision::EXACT);
-                FreeMotion { description, bodies }
-            })
-            .collect();
-    }
+    let basis = null_space(jacobian, &selection.kept);
+    report.free_motions = localise(state, basis.as_ref(), scales)
+        .iter()
+        .map(|twists| {
+            let (description, bodies) =
+                describe(mechanism, state, twists, scales.length, Precision::EXACT);
+            FreeMotion { description, bodies }
+        })
+        .collect();
     report
 }
 

@@ -26,6 +26,13 @@ pub trait LinearSolver: Send {
     /// satisfy the equations.
     fn solve(&mut self, right_side: &mut [f64]) -> Result<(), Singular>;
 
+    /// As [`Self::solve`], with a step of iterative refinement: where stiffnesses, lengths and angles
+    /// stand in one matrix, small unknowns are then as exact as large ones. For results.
+    ///
+    /// # Errors
+    /// As for [`Self::solve`].
+    fn solve_refined(&mut self, right_side: &mut [f64]) -> Result<(), Singular>;
+
     /// Replaces b by the solution of Aᵀ x = b.
     ///
     /// # Errors
@@ -34,6 +41,9 @@ pub trait LinearSolver: Send {
 
     /// The sign of the determinant: 1, −1, or 0 without factorisation.
     fn determinant_sign(&self) -> f64;
+
+    /// How many matrices were factorised.
+    fn factorisations(&self) -> usize;
 }
 
 /// The largest matrix for which an elimination plan is made. Planning takes time with the cube
@@ -83,6 +93,7 @@ pub(super) struct Checked<F> {
     // The largest entry of the matrix.
     size: f64,
     sign: f64,
+    factorisations: usize,
 }
 
 /// Largest accepted backward error ‖b − A x‖ ∕ (‖A‖ ‖x‖ + ‖b‖).
@@ -102,6 +113,7 @@ impl<F: Factors> Checked<F> {
             check: vec![0.0; 2 * n],
             size: 0.0,
             sign: 0.0,
+            factorisations: 0,
             pattern: pattern.clone(),
         }
     }
@@ -116,20 +128,24 @@ impl<F: Factors> Checked<F> {
         if self.backward_error(right_side, transposed) <= BACKWARD_ERROR {
             return Ok(());
         }
-        // One step of iterative refinement, then the answer has to be right.
-        if right_side.iter().all(|x| x.is_finite()) {
-            let mut correction = std::mem::take(&mut self.check);
-            let (_, residual) = correction.split_at_mut(n);
-            self.factors.substitute(residual, transposed);
-            for (x, dx) in right_side.iter_mut().zip(residual.iter()) {
-                *x += dx;
-            }
-            self.check = correction;
-            if self.backward_error(right_side, transposed) <= BACKWARD_ERROR {
-                return Ok(());
-            }
+        self.refine(right_side, transposed)
+    }
+
+    /// One step of iterative refinement from the residual of the last check, then the answer has to
+    /// be right.
+    fn refine(&mut self, x: &mut [f64], transposed: bool) -> Result<(), Singular> {
+        if x.iter().any(|x| !x.is_finite()) {
+            return Err(Singular);
         }
-        Err(Singular)
+        let mut correction = std::mem::take(&mut self.check);
+        let (_, residual) = correction.split_at_mut(x.len());
+        self.factors.substitute(residual, transposed);
+        for (x, dx) in x.iter_mut().zip(residual.iter()) {
+            *x += dx;
+        }
+        self.check = correction;
+        let right = self.backward_error(x, transposed) <= BACKWARD_ERROR;
+        if right { Ok(()) } else { Err(Singular) }
     }
 
     /// Writes b − A x behind b and returns the backward error; infinite if x is not finite.
@@ -154,6 +170,7 @@ impl<F: Factors> Checked<F> {
 
 impl<F: Factors> LinearSolver for Checked<F> {
     fn factorise(&mut self, values: &[f64]) -> Result<(), Singular> {
+        self.factorisations += 1;
         self.sign = 0.0;
         self.values.copy_from_slice(values);
         self.size = largest(values);
@@ -173,12 +190,21 @@ impl<F: Factors> LinearSolver for Checked<F> {
         self.solve_either(right_side, false)
     }
 
+    fn solve_refined(&mut self, right_side: &mut [f64]) -> Result<(), Singular> {
+        self.solve_either(right_side, false)?;
+        self.refine(right_side, false)
+    }
+
     fn solve_transposed(&mut self, right_side: &mut [f64]) -> Result<(), Singular> {
         self.solve_either(right_side, true)
     }
 
     fn determinant_sign(&self) -> f64 {
         self.sign
+    }
+
+    fn factorisations(&self) -> usize {
+        self.factorisations
     }
 }
 

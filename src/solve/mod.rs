@@ -11,6 +11,8 @@
 //! | `newton`, `convergence` | the iteration of the paper's eq. (5)–(7) and Fig. 1 |
 //! | `equilibrium` | both residuals of eq. (4): coordinates and multipliers |
 //! | `statics` | the robust way to an equilibrium, and why there is none |
+//! | `linearised` | all derivatives at a state from one factorisation: tangents by drivers |
+//! | `border` | a factorised matrix with conditions added: drivers let go and held |
 //! | `stability` | the stiffness against the motions that joints allow |
 //! | `compliance` | how points give way to loads |
 //! | `dynamics` | motion in time |
@@ -21,6 +23,7 @@
 //! | `freedom` | redundant equations and free motions, in words |
 //! | `stop` | why a mechanism cannot go on |
 
+mod border;
 pub mod compliance;
 mod convergence;
 pub mod dynamics;
@@ -28,6 +31,7 @@ mod elimination;
 pub mod equilibrium;
 pub mod freedom;
 pub mod linear;
+pub mod linearised;
 mod motion;
 pub mod newton;
 mod position;

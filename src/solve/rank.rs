@@ -139,13 +139,13 @@ pub(super) fn undetermined(
     found
 }
 
-/// An orthonormal basis of the motions (columns, scaled) that the kept equations allow.
-pub(super) fn null_space(jacobian: MatRef<'_, f64>, kept: &[usize]) -> Option<Mat<f64>> {
+/// An orthonormal basis of the motions (columns, scaled) that the kept equations allow: what the full
+/// orthogonal factor of their transpose has behind their span.
+pub(super) fn null_space(jacobian: MatRef<'_, f64>, kept: &[usize]) -> Mat<f64> {
     let unknowns = jacobian.ncols();
-    let rows = Mat::from_fn(kept.len(), unknowns, |k, unknown| jacobian[(kept[k], unknown)]);
-    let factors = rows.svd().ok()?;
-    let v = factors.V();
-    Some(Mat::from_fn(unknowns, unknowns - kept.len(), |row, column| v[(row, kept.len() + column)]))
+    let columns = Mat::from_fn(unknowns, kept.len(), |unknown, k| jacobian[(kept[k], unknown)]);
+    let orthogonal = columns.qr().compute_Q();
+    orthogonal.subcols(kept.len(), unknowns - kept.len()).to_owned()
 }
 
 /// The smallest singular value that is not zero by redundancy, with its left

@@ -6,7 +6,7 @@ use faer::{Mat, Side};
 
 use super::equilibrium::Equilibrium;
 use super::motion::{Precision, describe, localise, twists};
-use super::rank::{null_space, scaled_jacobian};
+use super::rank::null_space;
 
 /// A stiffness below this part of the largest one is none.
 const NONE: f64 = 1e-12;
@@ -21,27 +21,29 @@ pub(super) struct Softest {
     pub holds: bool,
 }
 
-/// The softest motion at the state of the last evaluation; `None` where nothing can move.
-pub(super) fn softest(equilibrium: &Equilibrium) -> Option<Softest> {
+/// The softest motion at the state for which the matrix was filled last, with the equations of some of
+/// its rows let go; `None` where nothing can move.
+pub(super) fn softest(equilibrium: &Equilibrium, let_go: &[usize]) -> Option<Softest> {
     let problem = &equilibrium.problem;
-    let scales = problem.scales;
-    let (expansion, state) = (&equilibrium.expansion, &problem.state);
-    let (jacobian, _) = scaled_jacobian(expansion, &equilibrium.terms, state, &problem.h, scales);
-    let kept = problem.numbering.kept();
+    let (scales, state) = (problem.scales, &problem.state);
+    let unknowns = problem.numbering.unknowns();
+    let mut stiffness = Mat::<f64>::zeros(unknowns, unknowns);
+    let mut jacobian = Mat::<f64>::zeros(problem.numbering.kept().len(), unknowns);
+    let entries = problem.kkt.pattern().entries().take_while(|&(_, column, _)| column < unknowns);
+    for (row, column, slot) in entries {
+        let value = problem.kkt.values()[slot] * scales.coordinate(column);
+        match row.checked_sub(unknowns) {
+            Some(row) => jacobian[(row, column)] = value,
+            None => stiffness[(row, column)] = value * scales.coordinate(row),
+        }
+    }
     if jacobian.col_iter().any(|column| column.iter().any(|x| !x.is_finite())) {
         return None;
     }
-    let basis = null_space(jacobian.as_ref(), kept)?;
+    let held: Vec<usize> = (0..jacobian.nrows()).filter(|row| !let_go.contains(row)).collect();
+    let basis = null_space(jacobian.as_ref(), &held);
     if basis.ncols() == 0 {
         return None;
-    }
-    let unknowns = problem.numbering.unknowns();
-    let mut stiffness = Mat::<f64>::zeros(unknowns, unknowns);
-    for (row, column, slot) in problem.kkt.pattern().entries() {
-        if row < unknowns && column < unknowns {
-            let value = problem.kkt.values()[slot];
-            stiffness[(row, column)] = value * scales.coordinate(row) * scales.coordinate(column);
-        }
     }
     let reduced = basis.transpose() * &stiffness * &basis;
     // A circulating part of forces without potential does no work over a symmetric motion.

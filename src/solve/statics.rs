@@ -318,7 +318,7 @@ impl Equilibrium {
             }
         }
         report.stiffness = f64::INFINITY;
-        if let Some(Softest { stiffness, motion, holds }) = softest(self) {
+        if let Some(Softest { stiffness, motion, holds }) = softest(self, &[]) {
             report.stiffness = stiffness;
             if !holds && stiffness < 0.0 {
                 return Err(StaticFailure::Unstable { motion, stiffness });
@@ -374,7 +374,7 @@ impl Equilibrium {
         if let Err(StaticFailure::Airborne { tyre, .. }) = self.check_tyres() {
             // What else is wrong there follows from it.
             hint = format!("the tyre `{tyre}` has left the ground; check loads and ground");
-        } else if let Some(Softest { stiffness, motion, holds: false }) = softest(self) {
+        } else if let Some(Softest { stiffness, motion, holds: false }) = softest(self, &[]) {
             if stiffness >= 0.0 {
                 return StaticFailure::FreeMotion { motion };
             }
