@@ -223,20 +223,25 @@ impl<'a> Half<'a> {
         shared: bool,
     ) -> Result<(), MechanismError> {
         let (architecture, loads) = (&self.model.architecture, &self.model.loads);
-        let belongs = |i, j| (architecture.is_shared(i) && architecture.is_shared(j)) == shared;
+        let together = |i, j| architecture.is_shared(i) && architecture.is_shared(j);
         let name = |name: &str| if shared { name.to_owned() } else { self.name(name) };
         let bushings = if kinematic { &[][..] } else { &loads.bushings };
         for (index, joint) in architecture.joints.iter().enumerate() {
             let replaced = bushings.iter().any(|bushing| bushing.joint == index);
-            if belongs(joint.i, joint.j) && !replaced {
+            if together(joint.i, joint.j) == shared && !replaced {
                 let kind = joint.kind.on_points(|point| self.point(point));
                 let (i, j) = (self.body(joint.i), self.body(joint.j));
                 mechanism.add_joint(&name(&joint.name), i, j, kind)?;
             }
         }
-        let bushings = bushings.iter().map(|bushing| &bushing.force);
-        for force in loads.forces.iter().chain(bushings) {
-            if belongs(force.i, force.j) {
+        let forces = loads.forces.iter().map(|force| (force, together(force.i, force.j)));
+        let bushings = bushings.iter().map(|bushing| {
+            let Force { i, j, .. } = bushing.force;
+            let once = together(i, j) && self.model.opposite_place(bushing).is_none();
+            (&bushing.force, once)
+        });
+        for (force, once) in forces.chain(bushings) {
+            if once == shared {
                 self.add_force(mechanism, &name(&force.name), force)?;
             }
         }
@@ -257,12 +262,13 @@ impl<'a> Half<'a> {
         &self,
         mechanism: &mut Mechanism,
     ) -> Result<Option<DriverId>, MechanismError> {
-        let Some((rack, at)) = self.model.rack() else {
+        let Some((carrier, rack, at)) = self.model.rack() else {
             return Ok(None);
         };
         let along = self.model.rack_direction();
         let kind = DriverKind::Displacement { at: self.point(at), along };
-        mechanism.add_driver("rack", BodyId::GROUND, self.body(rack), kind).map(Some)
+        let (i, j) = (self.body(carrier), self.body(rack));
+        mechanism.add_driver("rack", i, j, kind).map(Some)
     }
 
     /// Adds all that is of this side alone.

@@ -9,6 +9,7 @@ mod axle;
 mod checks;
 mod diagnostics;
 mod file;
+mod fittings;
 mod load;
 mod loads;
 mod loads_file;
@@ -31,6 +32,7 @@ pub use architecture::{Architecture, BodyRole, PointRole, SteerAxis};
 pub use axes::{Axes, Side};
 pub use axle::{AxleSide, AxleSuspension};
 pub use diagnostics::{Mistake, ModelDiagnostics};
+pub use fittings::Steering;
 pub use load::Document;
 pub use loads::{AntiRollBar, JointBushing, Tyre, TyreContact};
 pub use mechanism_file::MechanismModel;
@@ -44,6 +46,10 @@ use crate::mechanism::{Force, MassProperties};
 use crate::vector::{add, scale, sub, unit};
 use diagnostics::Report;
 use loads::Loads;
+
+/// Two points nearer than this (m) are one point, and three points whose distance from a
+/// line is less are on it: a tenth of a millimetre is below any manufacturing tolerance.
+const NEAR: f64 = 1e-4;
 
 /// One corner of a vehicle, in SI units and ISO 8855 axes (x forward, y left, z up).
 #[derive(Clone, Debug)]
@@ -68,6 +74,8 @@ pub struct Model {
     pub spin: SpinAxis,
     /// The vehicle.
     pub vehicle: Vehicle,
+    /// The steering gear, where the model tells of it. Both sides of a vehicle have the same.
+    pub steering: Option<Steering>,
     /// Points required by the architecture, in its order, then optional ones, then the model's own.
     points: Vec<NamedPoint>,
     loads: Loads,

@@ -11,14 +11,11 @@ use std::ops::Range;
 pub(super) use loads::note;
 
 use super::Model;
+pub(self) use super::NEAR;
 use super::diagnostics::Report;
 use super::loads_file::LoadPlaces;
 use crate::mechanism::PointId;
 use crate::vector::{norm, sub};
-
-/// Two points nearer than this (m) are one point, and three points whose distance from a
-/// line is less are on it: a tenth of a millimetre is below any manufacturing tolerance.
-const NEAR: f64 = 1e-4;
 
 /// A model with the places of its values in the text.
 pub(super) struct Geometry<'a> {
