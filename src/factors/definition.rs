@@ -19,6 +19,8 @@ pub enum Subject {
     VirtualAxis,
     /// The axis about which the wheel steers with the length of the spring held.
     VirtualAxisSpring,
+    /// The steering wheel.
+    Steering,
     /// The motion of the wheel in travel.
     Travel,
     /// Instant centres and swing arms.
@@ -35,12 +37,13 @@ pub enum Subject {
 
 impl Subject {
     /// All of them, in the order of reports.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Place,
         Self::Orientation,
         Self::SteerAxis,
         Self::VirtualAxis,
         Self::VirtualAxisSpring,
+        Self::Steering,
         Self::Travel,
         Self::Centers,
         Self::RollCenter,
@@ -57,6 +60,7 @@ impl Subject {
             Self::SteerAxis => "Steer axis through the joints",
             Self::VirtualAxis => "Virtual steer axis, height of the wheel centre held",
             Self::VirtualAxisSpring => "Virtual steer axis, length of the spring held",
+            Self::Steering => "Steering wheel",
             Self::Travel => "Motion in travel",
             Self::Centers => "Instant centres and swing arms",
             Self::RollCenter => "Roll centre",

@@ -28,6 +28,7 @@ mod place;
 mod ratios;
 mod screw;
 mod steer_axis;
+mod steering;
 mod table;
 mod travel;
 pub mod wheel;

@@ -9,6 +9,8 @@ pub enum Need {
     HeldWheel,
     /// A rack.
     Rack,
+    /// `rack_per_turn` of `[steering]`.
+    SteeringRatio,
     /// A steer axis through two joints.
     SteerAxis,
     /// A spring.
@@ -33,6 +35,7 @@ impl Need {
         match self {
             Self::HeldWheel => "a wheel that is held at its height, off a dead centre",
             Self::Rack => "a rack",
+            Self::SteeringRatio => "`rack_per_turn` in [steering]",
             Self::SteerAxis => "a steer axis through two joints, [steer_axis] of the architecture",
             Self::Spring => {
                 "a spring: one of [[forces]], or the points that [spring] of the architecture names"
@@ -51,6 +54,7 @@ impl Need {
         match self {
             Self::HeldWheel => "held wheel",
             Self::Rack => "rack",
+            Self::SteeringRatio => "`rack_per_turn`",
             Self::SteerAxis => "steer axis",
             Self::Spring => "spring",
             Self::Forces => "forces",
@@ -68,6 +72,7 @@ impl Need {
         match self {
             Self::HeldWheel => pose.motions.is_some(),
             Self::Rack => pose.motions.is_some_and(|motions| motions.rack.is_some()),
+            Self::SteeringRatio => vehicle.rack_per_radian.is_some(),
             Self::SteerAxis => pose.steer_axis.is_some(),
             Self::Spring => pose.spring.is_some(),
             Self::Forces => pose.load.is_some(),

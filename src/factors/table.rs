@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use super::definition::Factor;
-use super::{anti, centers, place, ratios, steer_axis, travel, wheel};
+use super::{anti, centers, place, ratios, steer_axis, steering, travel, wheel};
 use crate::model::suggest;
 
 /// The parts of the table, in the order of reports.
@@ -20,6 +20,7 @@ const PARTS: &[&[Factor]] = &[
     &[steer_axis::VIRTUAL_PITCH],
     &steer_axis::AT_SPRING_LENGTH,
     &[steer_axis::VIRTUAL_SPRING_PITCH],
+    steering::STEERING,
     travel::GRADIENTS,
     &travel::CENTER_VELOCITY,
     &travel::ANGULAR_VELOCITY,
@@ -66,9 +67,10 @@ static ALL: [Factor; count()] = {
 pub static FACTORS: &[Factor] = &ALL;
 
 /// The factors of a plain sweep: what a rig measures of the wheel, in the order of its columns.
-pub const BASIC: [&str; 14] = [
+pub const BASIC: [&str; 15] = [
     "travel",
     "rack",
+    "steering_wheel_angle",
     "wheel_center_x",
     "wheel_center_y",
     "wheel_center_z",
@@ -130,6 +132,9 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("svic", "svic_x"),
     ("trackchange", "half_track_change"),
     ("steer", "steer_angle"),
+    ("steeringwheel", "steering_wheel_angle"),
+    ("handwheel", "steering_wheel_angle"),
+    ("overallsteeringratio", "steering_ratio"),
 ];
 
 /// The factor of a name.

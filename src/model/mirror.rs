@@ -10,6 +10,7 @@ impl Model {
     pub fn mirrored(&self) -> Self {
         let mut other = self.clone();
         other.side = self.side.other();
+        other.other = self.other.as_ref().map(|given| Box::new(given.mirrored()));
         for point in &mut other.points {
             point.position = mirrored(point.position);
         }

@@ -76,6 +76,8 @@ pub struct Model {
     pub vehicle: Vehicle,
     /// The steering gear, where the model tells of it. Both sides of a vehicle have the same.
     pub steering: Option<Steering>,
+    /// The other side of the vehicle, where a file of its own describes it.
+    other: Option<Box<Self>>,
     /// Points required by the architecture, in its order, then optional ones, then the model's own.
     points: Vec<NamedPoint>,
     loads: Loads,
@@ -170,6 +172,19 @@ impl Model {
     pub fn has_forces(&self) -> bool {
         let weights = self.loads.gravity != 0.0 && self.loads.masses.iter().any(Option::is_some);
         weights || !self.loads.forces.is_empty() || !self.loads.bushings.is_empty()
+    }
+
+    /// Whether a file of its own describes the other side of the vehicle.
+    pub fn has_other_side(&self) -> bool {
+        self.other.is_some()
+    }
+
+    /// The other side of the vehicle: that of `other_side`, or the mirror image.
+    #[must_use]
+    pub fn other_side(&self) -> Self {
+        let Some(other) = &self.other else { return self.mirrored() };
+        let this = Self { other: None, ..self.clone() };
+        Self { other: Some(Box::new(this)), ..(**other).clone() }
     }
 
     /// Whether the suspension has a rack.

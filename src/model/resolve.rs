@@ -15,7 +15,7 @@ use super::names::{Names, Unavailable};
 use super::parts::Parts;
 use super::read::Section;
 use super::units::{AngleUnit, Units};
-use super::{Model, NamedPoint, SpinAxis, fittings, load, suggest, vehicle};
+use super::{Model, NamedPoint, SpinAxis, Vehicle, fittings, load, suggest, vehicle};
 
 /// A point of the file under its role, in the units and axes of the file.
 struct Placed {
@@ -56,6 +56,7 @@ pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) 
     let (architecture, points, spin) = (architecture?, points?, spin?);
 
     let (points, spans) = to_si(&points, units, axes);
+    let rack_per_radian = fittings.steering.and_then(|steering| steering.rack_per_radian);
     let mut model = Model {
         name: file.name?,
         description: file.description,
@@ -65,8 +66,9 @@ pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) 
         side: *side.get_ref(),
         wheel_radius: units.length.to_metres(*radius.get_ref()),
         spin,
-        vehicle: vehicle?,
+        vehicle: Vehicle { rack_per_radian, ..vehicle? },
         steering: fittings.steering,
+        other: None,
         points,
         loads: loads.loads(&architecture, units.length.to_metres(*radius.get_ref())),
         architecture,

@@ -53,6 +53,8 @@ pub struct Vehicle {
     pub drive_share: Option<f64>,
     /// Where the brakes are.
     pub brakes: Brakes,
+    /// Displacement of the rack (m) per radian of the steering wheel to the left, from `[steering]`.
+    pub rack_per_radian: Option<f64>,
 }
 
 /// Wheelbases (m) from small models to mining trucks.
@@ -75,7 +77,15 @@ pub(super) fn read(root: &mut Section, parts: &Parts, report: &mut Report) -> Op
     let brake_share = share(&mut section, "brake_share", report);
     let drive_share = share(&mut section, "drive_share", report);
     section.finish(report);
-    Some(Vehicle { axle: axle?, wheelbase, cg_height, brake_share, drive_share, brakes: brakes? })
+    Some(Vehicle {
+        axle: axle?,
+        wheelbase,
+        cg_height,
+        brake_share,
+        drive_share,
+        brakes: brakes?,
+        rack_per_radian: None,
+    })
 }
 
 /// A length (m) that may be absent.

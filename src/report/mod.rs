@@ -114,10 +114,11 @@ impl SweepReport<'_> {
             });
         }
         if let [left, right] = self.sides {
-            // The rack is the same on both sides.
-            columns.extend(self.factors("", Wheel::First, |factor| factor.name == "rack"));
+            // The steering is the same on both sides.
+            let once = |factor: &Factor| ["rack", "steering_wheel_angle"].contains(&factor.name);
+            columns.extend(self.factors("", Wheel::First, once));
             for (side, wheel) in [(left, Wheel::First), (right, Wheel::Right)] {
-                columns.extend(self.factors(side.name(), wheel, |factor| factor.name != "rack"));
+                columns.extend(self.factors(side.name(), wheel, |factor| !once(factor)));
             }
         } else {
             columns.extend(self.factors("", Wheel::First, |_| true));

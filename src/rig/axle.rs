@@ -8,7 +8,7 @@ use super::stand::Stand;
 use super::station::Station;
 use super::sweep::{Specimen, SweepPlan};
 use crate::mechanism::Force;
-use crate::model::{AxleSide, AxleSuspension, Model, Setup, Side, WheelSupport};
+use crate::model::{AxleSide, AxleSuspension, Model, Setup, Side, Steering, WheelSupport};
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop};
 
@@ -24,6 +24,7 @@ pub struct Axle {
     load: [Load; 2],
     own_forces: usize,
     elements: Vec<Channel>,
+    steering: Steering,
 }
 
 impl Axle {
@@ -93,6 +94,7 @@ impl Axle {
             stand,
             loads,
             own_forces,
+            steering: model.steering.unwrap_or_default(),
         })
     }
 
@@ -154,11 +156,17 @@ impl Axle {
     /// on their tyres ignore `travel`.
     ///
     /// # Errors
-    /// [`Stop`] where the mechanism cannot go on or has no equilibrium. It then stays where it got to.
+    /// [`Stop`] where the mechanism cannot go on or has no equilibrium, and beyond the limits of the rack. It
+    /// then stays where it got to.
     pub fn move_to(&mut self, travel: [f64; 2], rack: f64) -> Result<StepReport, Stop> {
         let sides = self.suspension.sides.iter().zip(travel);
         let mut targets: Vec<_> = sides.map(|(part, travel)| (part.travel, travel)).collect();
-        targets.extend(self.suspension.rack.map(|driver| (driver, rack)));
+        if let Some(driver) = self.suspension.rack {
+            if let Some(limit) = self.steering.exceeded(rack) {
+                return Err(Stop::limit("rack", self.stand.driver_value(driver), rack, limit));
+            }
+            targets.push((driver, rack));
+        }
         self.stand.move_to(&targets)
     }
 

@@ -9,7 +9,7 @@ use super::stand::Stand;
 use super::station::Station;
 use super::sweep::{Specimen, SweepPlan};
 use crate::mechanism::{Force, MechanismError};
-use crate::model::{Model, Setup, Suspension, SuspensionError, WheelSupport};
+use crate::model::{Model, Setup, Steering, Suspension, SuspensionError, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{
@@ -42,6 +42,7 @@ pub struct Corner {
     load: Load,
     own_forces: usize,
     elements: Vec<Channel>,
+    steering: Steering,
 }
 
 impl Corner {
@@ -84,6 +85,7 @@ impl Corner {
             loads,
             elements,
             own_forces,
+            steering: model.steering.unwrap_or_default(),
         })
     }
 
@@ -142,10 +144,16 @@ impl Corner {
     /// on its tyre ignores `travel`.
     ///
     /// # Errors
-    /// [`Stop`] where the mechanism cannot go on or has no equilibrium. It then stays where it got to.
+    /// [`Stop`] where the mechanism cannot go on or has no equilibrium, and beyond the limits of the rack. It
+    /// then stays where it got to.
     pub fn move_to(&mut self, travel: f64, rack: f64) -> Result<StepReport, Stop> {
         let mut targets = vec![(self.suspension.travel, travel)];
-        targets.extend(self.suspension.rack.map(|driver| (driver, rack)));
+        if let Some(driver) = self.suspension.rack {
+            if let Some(limit) = self.steering.exceeded(rack) {
+                return Err(Stop::limit("rack", self.stand.driver_value(driver), rack, limit));
+            }
+            targets.push((driver, rack));
+        }
         self.stand.move_to(&targets)
     }
 

@@ -1,11 +1,14 @@
 //! The events of corners and axles, by their names on the command line.
 
+use std::f64::consts::FRAC_PI_6;
+
 use clap::ValueEnum;
-use hardpoint::model::{Quantity, Side};
+use hardpoint::model::{Model, Quantity, Side};
 use hardpoint::rig::{Event, LOAD_COMPONENTS};
 
 use crate::failure::Failure;
 use crate::loads;
+use crate::steering::{SteerBy, rack_per_radian};
 
 /// What changes.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -45,8 +48,8 @@ pub struct Course {
     pub event: Event,
     /// What its values are.
     pub quantity: Quantity,
-    /// The values go from minus to plus this (SI).
-    pub range: f64,
+    /// First and last value (SI).
+    pub range: [f64; 2],
     /// Distance of the values (SI).
     pub step: f64,
     /// The name for reports.
@@ -54,11 +57,17 @@ pub struct Course {
 }
 
 impl Course {
-    /// The event of a corner. A load event changes the component `vary`.
-    pub fn of_corner(event: EventName, vary: Option<&str>) -> Result<Self, Failure> {
+    /// The event of a corner. A load event changes the component `vary`, a steer event goes `by` rack or
+    /// steering wheel.
+    pub fn of_corner(
+        event: EventName,
+        model: &Model,
+        vary: Option<&str>,
+        by: SteerBy,
+    ) -> Result<Self, Failure> {
         match event {
             EventName::Travel => Ok(Self::travel(Event::Travel, "travel")),
-            EventName::Steer => Ok(Self::steer()),
+            EventName::Steer => Self::steer(model, by),
             EventName::Load => {
                 let (component, name) = component(vary)?;
                 Ok(Self::load(Event::Load(component), component, format!("load {name}")))
@@ -72,10 +81,12 @@ impl Course {
         }
     }
 
-    /// The event of an axle. A load event loads the `wheels`.
+    /// The event of an axle, as for a corner. A load event loads the `wheels`.
     pub fn of_axle(
         event: EventName,
+        model: &Model,
         vary: Option<&str>,
+        by: SteerBy,
         wheels: Option<Wheels>,
     ) -> Result<Self, Failure> {
         Ok(match event {
@@ -85,7 +96,7 @@ impl Course {
             EventName::Opposite => Self::travel(Event::Opposite, "opposite travel"),
             EventName::Left => Self::travel(Event::Single(Side::Left), "left travel"),
             EventName::Right => Self::travel(Event::Single(Side::Right), "right travel"),
-            EventName::Steer => Self::steer(),
+            EventName::Steer => Self::steer(model, by)?,
             EventName::Load => {
                 let (component, name) = component(vary)?;
                 let (event, wheels) = match wheels.unwrap_or(Wheels::Parallel) {
@@ -101,17 +112,26 @@ impl Course {
 
     fn travel(event: Event, name: &str) -> Self {
         let quantity = Quantity::Length;
-        Self { event, quantity, range: 0.13, step: 0.01, name: name.to_owned() }
+        Self { event, quantity, range: [-0.13, 0.13], step: 0.01, name: name.to_owned() }
     }
 
-    fn steer() -> Self {
-        let (event, quantity) = (Event::Steer, Quantity::Length);
-        Self { event, quantity, range: 0.04, step: 0.005, name: "steer".to_owned() }
+    /// The steer event of a model, from one limit of its rack to the other, by rack or steering wheel.
+    fn steer(model: &Model, by: SteerBy) -> Result<Self, Failure> {
+        let range = model.steering.and_then(|steering| steering.limits).unwrap_or([-0.04, 0.04]);
+        let (event, name) = (Event::Steer, "steer".to_owned());
+        if by == SteerBy::Rack {
+            return Ok(Self { event, quantity: Quantity::Length, range, step: 0.005, name });
+        }
+        let per_radian = rack_per_radian(model)?;
+        let mut range = range.map(|rack| rack / per_radian);
+        range.sort_by(f64::total_cmp);
+        Ok(Self { event, quantity: Quantity::Angle, range, step: FRAC_PI_6, name })
     }
 
     fn load(event: Event, component: usize, name: String) -> Self {
         let range = if component < 3 { 1000.0 } else { 100.0 };
-        Self { event, quantity: loads::quantity(component), range, step: range / 10.0, name }
+        let quantity = loads::quantity(component);
+        Self { event, quantity, range: [-range, range], step: range / 10.0, name }
     }
 }
 

@@ -11,6 +11,7 @@ use crate::failure::Failure;
 use crate::load;
 use crate::loads::{RigOptions, length};
 use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
+use crate::steering::SteeringOptions;
 
 /// List all design factors of a corner at one state, or the definitions of all factors.
 ///
@@ -37,9 +38,8 @@ pub struct Factors {
     /// Wheel travel from the design position, + jounce [default: 0].
     #[arg(long, allow_negative_numbers = true, value_name = "T")]
     travel: Option<f64>,
-    /// Rack displacement, + along the model's +y [default: 0].
-    #[arg(long, allow_negative_numbers = true, value_name = "R")]
-    rack: Option<f64>,
+    #[command(flatten)]
+    steering: SteeringOptions,
     #[command(flatten)]
     rig: RigOptions,
     /// Whose definitions to follow where programs differ.
@@ -76,15 +76,11 @@ impl Factors {
 
     fn corner(&self, model: &Model, path: &Path, output: &Output) -> Result<(), Failure> {
         let travel = length("--travel", self.travel, model.units)?;
-        let rack = length("--rack", self.rack, model.units)?;
+        let rack = self.steering.rack(model)?;
         let setup = self.rig.setup(WheelSupport::Held, Chassis::Fixed);
         let load = self.rig.load(model)?;
         let mut corner = Corner::with_loads(model, &setup, self.rig.point())
             .map_err(|error| Failure::Rig(path.display().to_string(), Box::new(error)))?;
-        if rack != 0.0 && !corner.steers() {
-            let message = "this suspension has no rack; leave out --rack";
-            return Err(Failure::Usage(message.into()));
-        }
         corner.set_load(&load);
         corner.move_to(travel, rack).map_err(|stop| {
             let axes = axes_of_words(model.axes, &stop.to_string());

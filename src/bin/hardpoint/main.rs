@@ -10,6 +10,7 @@ mod loads;
 mod output;
 mod progress;
 mod settle;
+mod steering;
 mod sweep;
 
 use std::path::Path;
@@ -65,7 +66,7 @@ fn main() -> ExitCode {
 fn load(path: &Path, side: Option<SideName>) -> Result<Document, Failure> {
     Ok(match (Document::load(path)?, side) {
         (Document::Suspension(model), Some(side)) if Side::from(side) != model.side => {
-            Document::Suspension(model.mirrored())
+            Document::Suspension(model.other_side())
         }
         (Document::Mechanism(_), Some(_)) => {
             return Err(Failure::Usage(

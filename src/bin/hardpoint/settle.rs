@@ -132,7 +132,8 @@ impl Settle {
         let end = corner.pose_at(dynamics.state());
         let rest = corner.pose_at(corner.equilibrium().state());
         // Travel and rack are what the rig holds in a sweep, no part of the paper's table.
-        let shown = kinematic().filter(|factor| !["travel", "rack"].contains(&factor.name));
+        let held = ["travel", "rack", "steering_wheel_angle"];
+        let shown = kinematic().filter(|factor| !held.contains(&factor.name));
         let rows: Vec<SettleRow> = shown
             .filter_map(|factor| {
                 Some(SettleRow {

@@ -6,7 +6,7 @@ use clap::Args;
 use hardpoint::factors::{self, Convention, Factor};
 use hardpoint::mechanism::DriverId;
 use hardpoint::model::{
-    Axes, Chassis, Document, MechanismModel, Model, Quantity, Side, Units, WheelSupport,
+    Axes, Chassis, Document, MechanismModel, Model, Quantity, Side, WheelSupport,
 };
 use hardpoint::report::SweepReport;
 use hardpoint::rig::{self, Axle, Corner, Held, Specimen, Stand, SweepPlan};
@@ -17,6 +17,7 @@ use crate::load;
 use crate::loads::{FARTHEST, RigOptions};
 use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
 use crate::progress::Progress;
+use crate::steering::{SteerBy, SteeringOptions, rack_per_radian};
 
 /// More states than this are a mistake in the step.
 const MOST_STATES: f64 = 1e6;
@@ -37,6 +38,7 @@ Examples:
   hardpoint sweep models/lotus-front.toml --drive contact-patch --from -37.5 --to 37.5 --step 7.5
   hardpoint sweep models/adams-tr-front.toml --rack 5 --from -10 --to 10 --side right
   hardpoint sweep models/double-wishbone.toml --event steer --travel 20 -o steer.csv
+  hardpoint sweep models/compliant-axle.toml --event steer --steer-by wheel --from -360 --to 360 --step 60
   hardpoint sweep models/double-wishbone.toml --columns travel,bump_steer,rc_height,anti_dive
   hardpoint sweep models/quarter-car.toml --reactions -o forces.csv
   hardpoint sweep models/bushed-double-wishbone.toml --event load --vary fx --from -2000 --to 2000 --step 500
@@ -62,18 +64,21 @@ pub struct Sweep {
     /// The driver of a mechanism that moves [default: its only one].
     #[arg(long, value_name = "NAME")]
     driver: Option<String>,
-    /// First value [default: −130 mm of travel, −40 mm of the rack, −1000 N, −100 N·m].
+    /// First value [default: −130 mm of travel, −40 mm of the rack or its limit, −1000 N, −100 N·m].
     #[arg(long, allow_negative_numbers = true, value_name = "A")]
     from: Option<f64>,
-    /// Last value [default: 130 mm of travel, 40 mm of the rack, 1000 N, 100 N·m].
+    /// Last value [default: 130 mm of travel, 40 mm of the rack or its limit, 1000 N, 100 N·m].
     #[arg(long, allow_negative_numbers = true, value_name = "B")]
     to: Option<f64>,
-    /// Distance of the states [default: 10 mm of travel, 5 mm of the rack, a tenth of the load].
+    /// Distance of the states [default: 10 mm of travel, 5 mm of the rack, 30° of the steering wheel, a tenth
+    /// of the load].
     #[arg(long, allow_negative_numbers = true, value_name = "S")]
     step: Option<f64>,
-    /// Rack displacement that is held [default: 0].
-    #[arg(long, allow_negative_numbers = true, value_name = "R")]
-    rack: Option<f64>,
+    #[command(flatten)]
+    steering: SteeringOptions,
+    /// What --from, --to and --step of a steer event are [default: rack].
+    #[arg(long, value_enum)]
+    steer_by: Option<SteerBy>,
     /// Wheel travel that is held [default: 0; a load event leaves the wheel free, on its tyre]. In an
     /// opposite event it is the mean of both wheels.
     #[arg(long, allow_negative_numbers = true, value_name = "T")]
@@ -140,7 +145,7 @@ impl Sweep {
         let setup = self.rig.setup(support, Chassis::Fixed);
         let at = self.rig.point();
         let rig = |error| Failure::Rig(self.model.display().to_string(), Box::new(error));
-        let (quantity, mut plan, name) = self.plan(event, model.units, model.steers())?;
+        let (quantity, mut plan, name) = self.plan(event, model)?;
         let sweep = if self.axle {
             let [left, right] = self.rig.axle_loads(model)?;
             (plan.held.load, plan.held.right_load) = (left, Some(right));
@@ -173,14 +178,15 @@ impl Sweep {
         let suspension = [
             (self.event.is_some(), "--event"),
             (self.vary.is_some(), "--vary"),
-            (self.rack.is_some(), "--rack"),
+            (self.steer_by.is_some(), "--steer-by"),
             (self.travel.is_some(), "--travel"),
             (self.axle, "--axle"),
             (self.wheels.is_some(), "--wheels"),
             (self.columns.is_some(), "--columns"),
             (self.convention.is_some(), "--convention"),
         ];
-        if let Some((_, option)) = suspension.iter().find(|(given, _)| *given) {
+        let given = suspension.iter().find(|(given, _)| *given).map(|(_, option)| *option);
+        if let Some(option) = given.or(self.steering.given()) {
             return usage(format!("{option} belongs to suspensions; this file is a mechanism"));
         }
         self.rig.refuse()?;
@@ -288,7 +294,6 @@ impl Sweep {
             ("--from", self.from),
             ("--to", self.to),
             ("--step", self.step),
-            ("--rack", self.rack),
             ("--travel", self.travel),
         ];
         for (name, value) in options {
@@ -298,7 +303,11 @@ impl Sweep {
             }
             let is_length = match name {
                 "--step" => false,
-                "--from" | "--to" => self.event != Some(EventName::Load) && self.driver.is_none(),
+                "--from" | "--to" => {
+                    self.event != Some(EventName::Load)
+                        && self.steer_by != Some(SteerBy::Wheel)
+                        && self.driver.is_none()
+                }
                 _ => true,
             };
             if is_length && metres(value).abs() > FARTHEST {
@@ -314,14 +323,15 @@ impl Sweep {
     fn plan(
         &self,
         event: EventName,
-        units: Units,
-        steers: bool,
+        model: &Model,
     ) -> Result<(Quantity, SweepPlan, String), Failure> {
+        let (units, steers) = (model.units, model.steers());
         let metres = |length: f64| units.length.to_metres(length);
         self.check_values(metres)?;
-        if self.rack.is_some_and(|rack| rack != 0.0) && !steers {
-            return usage("this suspension has no rack; leave out --rack");
+        if self.steer_by.is_some() && event != EventName::Steer {
+            return usage("--steer-by belongs to --event steer");
         }
+        let rack = self.steering.rack(model)?;
         match event {
             EventName::Travel | EventName::Parallel if self.travel.is_some() => {
                 return usage(
@@ -329,7 +339,7 @@ impl Sweep {
                      and say the range of travel with --from and --to",
                 );
             }
-            EventName::Steer if self.rack.is_some() => {
+            EventName::Steer if self.steering.given().is_some() => {
                 return usage(
                     "a steer event moves the rack; hold the travel with --travel, \
                      and say the range of the rack with --from and --to",
@@ -340,22 +350,30 @@ impl Sweep {
             }
             _ => {}
         }
+        let by = self.steer_by.unwrap_or(SteerBy::Rack);
         let Course { event, quantity, range, step, name } = if self.axle {
-            Course::of_axle(event, self.vary.as_deref(), self.wheels)?
+            Course::of_axle(event, model, self.vary.as_deref(), by, self.wheels)?
         } else {
-            Course::of_corner(event, self.vary.as_deref())?
+            Course::of_corner(event, model, self.vary.as_deref(), by)?
         };
         let value = |value: Option<f64>, default: f64| {
             value.map_or(default, |value| quantity.to_si(units, value))
         };
-        let length = |value: Option<f64>| value.map_or(0.0, metres);
-        let plan = SweepPlan {
+        let travel = self.travel.map_or(0.0, metres);
+        let mut plan = SweepPlan {
             event,
-            from: value(self.from, -range),
-            to: value(self.to, range),
+            from: value(self.from, range[0]),
+            to: value(self.to, range[1]),
             step: value(self.step, step),
-            held: Held { travel: length(self.travel), rack: length(self.rack), ..Held::default() },
+            held: Held { travel, rack, ..Held::default() },
         };
+        if quantity == Quantity::Angle {
+            // The rig drives the rack, so a steering wheel is turned by moving that.
+            let per_radian = rack_per_radian(model)?;
+            for value in [&mut plan.from, &mut plan.to, &mut plan.step] {
+                *value *= per_radian;
+            }
+        }
         check_states(&plan)?;
         Ok((quantity, plan, name))
     }

@@ -5,6 +5,7 @@
 //! of `[bushings]`. So rigid joints leave a fitting without effect.
 
 mod hub_bearing;
+pub(super) mod other_side;
 mod steering;
 mod subframe;
 
