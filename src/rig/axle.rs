@@ -9,6 +9,7 @@ use super::station::Station;
 use super::sweep::{Specimen, SweepPlan};
 use crate::mechanism::Force;
 use crate::model::{AxleSide, AxleSuspension, Model, Setup, Side, Steering, WheelSupport};
+use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
 use crate::solve::{FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop};
 
@@ -192,6 +193,15 @@ impl Axle {
     /// and rate are those with the other wheel held.
     pub fn pose(&mut self, side: Side) -> Pose<f64> {
         self.stations[side.index()].pose(&mut self.stand, &self.suspension.mechanism)
+    }
+
+    /// Where wheel, steer axis and spring of one side are at a state of the mechanism, as
+    /// [`Corner::pose_at`](super::Corner::pose_at).
+    ///
+    /// # Panics
+    /// If the state belongs to another mechanism.
+    pub fn pose_at(&self, side: Side, state: &[Coordinates<f64>]) -> Pose<f64> {
+        self.stations[side.index()].pose_at(&self.stand, state)
     }
 }
 

@@ -38,7 +38,7 @@ Examples:
   hardpoint sweep models/lotus-front.toml --drive contact-patch --from -37.5 --to 37.5 --step 7.5
   hardpoint sweep models/adams-tr-front.toml --rack 5 --from -10 --to 10 --side right
   hardpoint sweep models/double-wishbone.toml --event steer --travel 20 -o steer.csv
-  hardpoint sweep models/compliant-axle.toml --event steer --steer-by wheel --from -360 --to 360 --step 60
+  hardpoint sweep models/subframe-axle.toml --event steer --steer-by wheel --from -360 --to 360 --step 60
   hardpoint sweep models/double-wishbone.toml --columns travel,bump_steer,rc_height,anti_dive
   hardpoint sweep models/quarter-car.toml --reactions -o forces.csv
   hardpoint sweep models/bushed-double-wishbone.toml --event load --vary fx --from -2000 --to 2000 --step 500
