@@ -5,15 +5,15 @@ mod axes;
 mod degenerate;
 mod loads;
 mod plausibility;
+mod subframe;
 
 use std::ops::Range;
 
 pub(super) use loads::note;
 
-use super::Model;
-pub(self) use super::NEAR;
 use super::diagnostics::Report;
 use super::loads_file::LoadPlaces;
+use super::{Model, NEAR};
 use crate::mechanism::PointId;
 use crate::vector::{norm, sub};
 
@@ -46,6 +46,7 @@ pub(super) fn check(geometry: &Geometry, report: &mut Report) {
     geometry.check_spin_axis(report);
     geometry.check_loads(report);
     geometry.check_anti_roll_bar(report);
+    geometry.check_subframe(report);
 }
 
 impl Geometry<'_> {
