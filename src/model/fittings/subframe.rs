@@ -30,7 +30,7 @@ pub(super) fn fit(
     let body = super::add_body(architecture, &section, body, true, report);
     section.finish(report);
     let Some(subframe) = body else { return };
-    for name in carries.iter().flat_map(|list| list.get_ref()) {
+    for name in carries.iter().flat_map(Spanned::get_ref) {
         carry(name, subframe, architecture, report);
     }
     // The joint comes last: those of the architecture keep their numbers.
