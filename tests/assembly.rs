@@ -27,6 +27,7 @@ fn one_of_each() -> Mechanism {
         ("link", JointKind::Link { on_i: a, on_j: b }),
         ("in_plane", JointKind::InPlane { at: b, normal: axis }),
         ("in_line", JointKind::InLine { at: a, axis: fixed }),
+        ("perpendicular", JointKind::Perpendicular { at: b, axis }),
     ] {
         m.add_joint(name, first, second, kind).unwrap();
         m.add_joint(&format!("{name} to ground"), BodyId::GROUND, third, kind).unwrap();

@@ -74,6 +74,7 @@ fn everything() -> Mechanism {
         let reference = Reference::Design(0.01);
         force(first, third, ForceKind::Line { on_i: a, on_j: b, reference, law });
     }
+    force(second, third, ForceKind::Slide { at: a, along: X, law: law(200.0, 8.0) });
     force(first, second, ForceKind::Torsion { axis: Y, law: law(40.0, 3.0) });
     for measure in [RotationMeasure::Angles, RotationMeasure::RotationVector] {
         for moment in [MomentLaw::Energy, MomentLaw::Torque] {

@@ -138,6 +138,7 @@ fn parameters_have_exact_derivatives_with_respect_to_points() {
         ("translational", JointKind::Translational { at: b, axis }),
         ("link", JointKind::Link { on_i: a, on_j: b }),
         ("plane", JointKind::InPlane { at: a, normal: axis }),
+        ("perpendicular", JointKind::Perpendicular { at: a, axis }),
     ] {
         m.add_joint(name, GROUND, arm, kind).unwrap();
     }

@@ -128,9 +128,42 @@ fn mirrored(q: &[f64; 7]) -> [f64; 7] {
     [q[0], -q[1], q[2], q[3], -q[4], q[5], -q[6]]
 }
 
+/// A steering gear that gives way, a hub bearing and a subframe, with one mount beside the centre line and one
+/// on it.
+const FITTINGS: &str = "
+[steering]
+mount_stiffness = 8.0
+
+[hub_bearing]
+radial = 180.0
+axial = 90.0
+tilt = [7000.0, 6000.0]
+
+[subframe]
+carries = [\"lca_pivot\", \"rack_slide\"]
+
+[subframe.mounts.beside]
+at = \"patch\"
+x_axis = [\"uca_rear\", \"uca_front\"]
+stiffness = [2.5, 6.0, 4.0]
+rotational_stiffness = [90.0, 70.0, 50.0]
+preload = [0.1, 0.2, 0.3]
+
+[subframe.mounts.middle]
+at = \"middle\"
+stiffness = [2.5, 6.0, 4.0]
+";
+
 #[test]
 fn the_mirrored_model_has_the_mirrored_forces() {
-    let model = parse(EVERY_FORCE);
+    let points = "\nmiddle = [-400.0, 0.0, -200.0]\n\n[wheel]";
+    let fitted = EVERY_FORCE.replace("\n[wheel]", points) + FITTINGS;
+    for model in [parse(EVERY_FORCE), parse(&fitted)] {
+        assert_mirrored(&model);
+    }
+}
+
+fn assert_mirrored(model: &Model) {
     for chassis in [Chassis::Fixed, Chassis::Slide] {
         let setup = Setup { chassis, ..full(Drive::ContactPatch) };
         let left = model.suspension(&setup).unwrap().mechanism;

@@ -31,7 +31,7 @@ pub enum Subject {
     Spring,
     /// Wheel load.
     Load,
-    /// Steering of both wheels.
+    /// Steering.
     Steering,
     /// Roll of the axle.
     Roll,
@@ -87,7 +87,7 @@ impl Subject {
             Self::Anti => "Anti-dive, anti-lift, anti-squat",
             Self::Spring => "Spring, damper and motion ratios",
             Self::Load => "Wheel load",
-            Self::Steering => "Steering of the axle",
+            Self::Steering => "Steering",
             Self::Roll => "Roll of the axle",
             Self::Rates => "Rates and stiffnesses",
             Self::Ride => "Ride and roll from the compliance",

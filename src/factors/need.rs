@@ -15,6 +15,8 @@ pub enum Need {
     Tyre,
     /// A rack.
     Rack,
+    /// `rack_per_turn` of `[steering]`.
+    SteeringRatio,
     /// A steer axis through two joints.
     SteerAxis,
     /// A spring.
@@ -54,6 +56,7 @@ impl Need {
             Self::BothWheels => "both wheels: the option --axle",
             Self::Tyre => "a section [tyre], and forces that give the load on it",
             Self::Rack => "a rack",
+            Self::SteeringRatio => "`rack_per_turn` in [steering]",
             Self::SteerAxis => "a steer axis through two joints, [steer_axis] of the architecture",
             Self::Spring => {
                 "a spring: one of [[forces]], or the points that [spring] of the architecture names"
@@ -81,6 +84,7 @@ impl Need {
             Self::BothWheels => "both wheels",
             Self::Tyre => "tyre",
             Self::Rack => "rack",
+            Self::SteeringRatio => "`rack_per_turn`",
             Self::SteerAxis => "steer axis",
             Self::Spring => "spring",
             Self::Damper => "damper",
@@ -105,6 +109,7 @@ impl Need {
             Self::BothWheels => pose.other.is_some(),
             Self::Tyre => pose.tyre.is_some(),
             Self::Rack => pose.motions.is_some_and(|motions| motions.rack.is_some()),
+            Self::SteeringRatio => vehicle.rack_per_radian.is_some(),
             Self::SteerAxis => pose.steer_axis.is_some(),
             Self::Spring => pose.spring.is_some(),
             Self::Damper => pose.damper.is_some(),

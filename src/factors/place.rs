@@ -3,6 +3,7 @@
 use super::Factor;
 use super::definition::{Scope, Subject, components, formula};
 use super::need::Need;
+use super::steering::steering_wheel;
 use crate::model::{Axle, Quantity};
 use crate::rig::Pose;
 use crate::scalar::{Real, Scalar};
@@ -26,9 +27,22 @@ pub(super) const DRIVES: &[Factor] = &[
         title: "rack displacement",
         symbol: "r",
         sign: "+ along the model's +y",
-        formula: "displacement of the rack from design",
+        formula: "displacement from design of what is driven: the rack, or the driven end of [steering] with stiffness",
         source: "Adams/Car",
         value: formula!(|pose| Some(pose.rack)),
+        scope: Scope::Axle,
+        ..PLACE
+    },
+    Factor {
+        name: "steering_wheel_angle",
+        title: "steering-wheel angle",
+        symbol: "δ_H",
+        quantity: Quantity::Angle,
+        sign: "+ to the left",
+        formula: "2π r / rack_per_turn",
+        source: "ISO 8855",
+        value: formula!(|pose| steering_wheel(pose)),
+        needs: &[Need::SteeringRatio],
         scope: Scope::Axle,
         ..PLACE
     },

@@ -1,4 +1,4 @@
-//! Both wheels of an axle in steering: track, Ackermann, turning circle.
+//! Steering: the steering wheel, and both wheels of an axle: track, Ackermann, turning circle.
 
 use super::definition::{Definition, Factor, Scope, Subject, formula};
 use super::need::Need;
@@ -6,7 +6,20 @@ use super::wheel::toe;
 use super::{FARTHEST, NEARLY_PARALLEL, quotient};
 use crate::model::Quantity;
 use crate::rig::{OtherWheel, Pose};
-use crate::scalar::{Dual, Real};
+use crate::scalar::{Dual, Real, Scalar};
+
+/// The angle of the steering wheel (rad), + to the left.
+pub(super) fn steering_wheel<S: Scalar>(pose: &Pose<S>) -> Option<S> {
+    Some(pose.rack / S::from_f64(pose.vehicle.rack_per_radian?))
+}
+
+/// The angle of the steering wheel per steer angle of the wheel.
+fn ratio<S: Real>(pose: &Pose<S>) -> Option<S> {
+    let wheel = pose.wheel.moving(&pose.motions?.rack?.wheel);
+    let steer = -(pose.sigma() * toe(wheel.spin, pose.side).derivative);
+    let per_rack = S::from_f64(1.0 / pose.vehicle.rack_per_radian?);
+    quotient(per_rack, steer, NEARLY_PARALLEL)
+}
 
 /// Smaller turns (rad) have no inner wheel: the wheels are parallel but for rounding and toe.
 const STRAIGHT: f64 = 1e-6;
@@ -132,6 +145,19 @@ const STEERED: Factor =
     Factor { quantity: Quantity::Angle, needs: &[Need::BothWheels, Need::Wheelbase], ..AXLE };
 
 pub(super) const STEERING: &[Factor] = &[
+    Factor {
+        name: "steering_ratio",
+        title: "steering ratio",
+        symbol: "i_S",
+        subject: Subject::Steering,
+        quantity: Quantity::Ratio,
+        sign: "+ steers the way that the steering wheel turns",
+        formula: "dδ_H / dδ of this wheel, its height held, exact slope",
+        source: "ISO 8855 (overall steering ratio); Adams/Car",
+        value: formula!(|pose| ratio(pose)),
+        needs: &[Need::Motion, Need::Rack, Need::SteeringRatio],
+        ..Factor::BLANK
+    },
     Factor {
         name: "track",
         title: "track",

@@ -94,9 +94,10 @@ static ALL: [Factor; count()] = {
 pub static FACTORS: &[Factor] = &ALL;
 
 /// The factors of a plain sweep: what a rig measures of the wheel, in the order of its columns.
-pub const BASIC: [&str; 14] = [
+pub const BASIC: [&str; 15] = [
     "travel",
     "rack",
+    "steering_wheel_angle",
     "wheel_center_x",
     "wheel_center_y",
     "wheel_center_z",
@@ -164,6 +165,9 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("tirerate", "tyre_rate"),
     ("treadwidth", "track"),
     ("jackingforce", "jacking_lateral"),
+    ("steeringwheel", "steering_wheel_angle"),
+    ("handwheel", "steering_wheel_angle"),
+    ("overallsteeringratio", "steering_ratio"),
 ];
 
 /// The factor of a name.

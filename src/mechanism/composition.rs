@@ -99,6 +99,10 @@ impl<'a> Composition<'a> {
             }
             JointKind::InPlane { at, normal } => self.orthogonal_2(Recipe::Axis(normal), at),
             JointKind::InLine { at, axis } => self.in_line(at, axis),
+            JointKind::Perpendicular { axis, .. } => {
+                let [first, second] = self.normals(axis);
+                self.orthogonal_1(first, second);
+            }
         }
     }
 
@@ -149,6 +153,11 @@ impl<'a> Composition<'a> {
                 let ends = [self.local(self.i, *on_i), self.local(self.j, *on_j)];
                 let recipes = [ends[0], ends[1], reference];
                 self.element(RelationKind::Distance, &recipes, slice::from_ref(law));
+            }
+            ForceKind::Slide { at, along, law } => {
+                let ends = [self.local(self.i, *at), self.local(self.j, *at)];
+                let recipes = [Recipe::Axis(*along), ends[0], ends[1], Recipe::Number(0.0)];
+                self.element(RelationKind::Displacement, &recipes, slice::from_ref(law));
             }
             ForceKind::Torsion { axis, law } => {
                 let [first, second] = self.normals(*axis);

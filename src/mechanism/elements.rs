@@ -121,7 +121,7 @@ impl Mechanism {
                     }
                 }
             }
-            ForceKind::Torsion { law, .. } => check_law(name, law),
+            ForceKind::Slide { law, .. } | ForceKind::Torsion { law, .. } => check_law(name, law),
             ForceKind::Bushing(bushing) => {
                 for law in bushing.translation.iter().chain(&bushing.rotation) {
                     check_law(name, law)?;

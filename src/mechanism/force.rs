@@ -106,6 +106,16 @@ pub enum ForceKind {
         /// The law (N, m).
         law: Law,
     },
+    /// Along a direction fixed in body *i*, such as that of a slide. The value is the displacement of the
+    /// point of body *j* from the design position; the force on body *j* is −λ along the direction.
+    Slide {
+        /// The point of body *j*.
+        at: PointId,
+        /// The direction, fixed in body *i*.
+        along: Direction,
+        /// The law (N, m).
+        law: Law,
+    },
     /// About an axis that both bodies share. The value is the angle of body *j* relative to
     /// body *i*, right-handed, zero at the design position and counted over full turns.
     Torsion {
@@ -155,6 +165,7 @@ impl ForceKind {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Line { .. } => "line force",
+            Self::Slide { .. } => "slide spring",
             Self::Torsion { .. } => "torsion spring",
             Self::Bushing(_) => "bushing",
             Self::Tyre { .. } => "tyre",
@@ -167,6 +178,7 @@ impl ForceKind {
     pub fn points(&self) -> Option<[PointId; 2]> {
         match self {
             Self::Line { on_i, on_j, .. } => Some([*on_i, *on_j]),
+            Self::Slide { at, .. } => Some([*at; 2]),
             Self::Bushing(bushing) => Some([bushing.at; 2]),
             Self::Tyre {
                 contact: Contact::Center(center) | Contact::Patch { center, .. }, ..
@@ -179,6 +191,7 @@ impl ForceKind {
     /// The directions that the kind refers to.
     pub fn directions(&self) -> Vec<Direction> {
         match self {
+            Self::Slide { along, .. } => vec![*along],
             Self::Torsion { axis, .. } => vec![*axis],
             Self::Bushing(bushing) => vec![bushing.axes.x, bushing.axes.z],
             Self::Tyre { contact: Contact::Patch { spin, .. }, .. } => vec![*spin],

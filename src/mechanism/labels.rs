@@ -23,6 +23,7 @@ pub(super) fn components(kind: JointKind) -> Vec<&'static str> {
         JointKind::InLine { .. } => {
             &[&["first offset from the line", "second offset from the line"]]
         }
+        JointKind::Perpendicular { .. } => &[&["rotation about the axis"]],
     };
     groups.concat()
 }

@@ -18,7 +18,16 @@ impl JointKind {
     /// The same kind with its points exchanged.
     #[must_use]
     pub(crate) fn on_points(self, other: impl Fn(PointId) -> PointId) -> Self {
-        let line = |direction: Direction| direction.on_points(&other);
+        self.on(&other, |direction| direction.on_points(&other))
+    }
+
+    /// The same kind with its directions exchanged.
+    #[must_use]
+    pub(crate) fn on_lines(self, other: impl Fn(Direction) -> Direction) -> Self {
+        self.on(|point| point, other)
+    }
+
+    fn on(self, other: impl Fn(PointId) -> PointId, line: impl Fn(Direction) -> Direction) -> Self {
         match self {
             Self::Spherical { at } => Self::Spherical { at: other(at) },
             Self::Revolute { at, axis } => Self::Revolute { at: other(at), axis: line(axis) },
@@ -31,6 +40,9 @@ impl JointKind {
             Self::Link { on_i, on_j } => Self::Link { on_i: other(on_i), on_j: other(on_j) },
             Self::InPlane { at, normal } => Self::InPlane { at: other(at), normal: line(normal) },
             Self::InLine { at, axis } => Self::InLine { at: other(at), axis: line(axis) },
+            Self::Perpendicular { at, axis } => {
+                Self::Perpendicular { at: other(at), axis: line(axis) }
+            }
         }
     }
 }
@@ -43,6 +55,9 @@ impl ForceKind {
         match self {
             Self::Line { on_i, on_j, reference, law } => {
                 Self::Line { on_i: other(on_i), on_j: other(on_j), reference, law }
+            }
+            Self::Slide { at, along, law } => {
+                Self::Slide { at: other(at), along: line(along), law }
             }
             Self::Torsion { axis, law } => Self::Torsion { axis: line(axis), law },
             Self::Bushing(bushing) => {

@@ -135,6 +135,14 @@ pub enum JointKind {
         /// Direction of the line, fixed in body *i*.
         axis: Direction,
     },
+    /// A normal of the axis in body *i* stays perpendicular to another one in body *j*, so body *j* does not
+    /// turn about the axis. 1 equation.
+    Perpendicular {
+        /// Where its moment is told.
+        at: PointId,
+        /// The axis about which nothing turns.
+        axis: Direction,
+    },
 }
 
 impl JointKind {
@@ -150,6 +158,7 @@ impl JointKind {
             Self::Link { .. } => "rigid link",
             Self::InPlane { .. } => "in-plane",
             Self::InLine { .. } => "in-line",
+            Self::Perpendicular { .. } => "perpendicular",
         }
     }
 
@@ -163,7 +172,8 @@ impl JointKind {
             | Self::Cylindrical { at, .. }
             | Self::Fixed { at }
             | Self::InPlane { at, .. }
-            | Self::InLine { at, .. } => [at, at],
+            | Self::InLine { at, .. }
+            | Self::Perpendicular { at, .. } => [at, at],
             Self::Link { on_i, on_j } => [on_i, on_j],
         }
     }
@@ -175,7 +185,8 @@ impl JointKind {
             Self::Revolute { axis, .. }
             | Self::Translational { axis, .. }
             | Self::Cylindrical { axis, .. }
-            | Self::InLine { axis, .. } => Some(axis),
+            | Self::InLine { axis, .. }
+            | Self::Perpendicular { axis, .. } => Some(axis),
             Self::Universal { shaft, .. } => Some(shaft),
             Self::InPlane { normal, .. } => Some(normal),
         }

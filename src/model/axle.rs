@@ -5,8 +5,8 @@ use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
 use super::suspension::{StrutLine, Wheel, is_from_ground};
 use super::{AntiRollBar, Model, Side, SteerAxis, mean};
 use crate::mechanism::{
-    BodyId, Direction, DriverId, DriverKind, Force, ForceId, ForceKind, JointKind, Law, Mechanism,
-    MechanismError, PointId,
+    BodyId, Direction, DriverId, DriverKind, Force, ForceId, ForceKind, Joint, JointKind, Law,
+    Mechanism, MechanismError, PointId,
 };
 
 /// Two corners on one chassis, in SI units and ISO 8855 axes.
@@ -49,7 +49,7 @@ pub struct AxleSide {
 }
 
 impl Model {
-    /// The axle of this model and its mirror image at the design position.
+    /// The axle of this model and [its other side](Model::other_side) at the design position.
     ///
     /// What lies between the ground and bodies that the architecture calls shared is there once, as
     /// this model has it; all else is on both sides. The anti-roll bar joins them.
@@ -57,7 +57,7 @@ impl Model {
     /// # Errors
     /// [`SuspensionError`] as for [`Model::suspension`], and for a chassis on a slide.
     pub fn axle(&self, setup: &Setup) -> Result<AxleSuspension, SuspensionError> {
-        self.axle_with(&self.mirrored(), setup)
+        self.axle_with(&self.other_side(), setup)
     }
 
     /// The axle of this model and another one for the other side. What both sides have together is as this
@@ -102,7 +102,9 @@ impl Model {
 
     /// Whether anything but the tyres acts on the bodies of the axle.
     pub fn axle_has_forces(&self) -> bool {
-        self.has_forces() || self.anti_roll_bar().is_some_and(|bar| bar.stiffness > 0.0)
+        let other = self.other.as_ref().is_some_and(|other| other.has_forces());
+        let bar = self.anti_roll_bar().is_some_and(|bar| bar.stiffness > 0.0);
+        self.has_forces() || other || bar
     }
 
     /// The numbers of the bodies that both sides have together, the chassis first; others are `None`.
@@ -144,11 +146,20 @@ impl Model {
 }
 
 /// What keeps two models from being the sides of one axle.
-fn difference([left, right]: [&Model; 2]) -> Option<String> {
+pub(super) fn difference([left, right]: [&Model; 2]) -> Option<String> {
     if left.side == right.side {
         return Some(format!("both lie on the {}", left.side.name()));
     }
     let [a, b] = [&left.architecture, &right.architecture];
+    // Fittings are bodies that one of the two may lack.
+    for (side, here, there) in [(left.side, a, b), (right.side, b, a)] {
+        let lacks = |name: &String| there.bodies.iter().all(|body| body.name != *name);
+        if a.title == b.title
+            && let Some(body) = here.bodies.iter().find(|body| lacks(&body.name))
+        {
+            return Some(format!("only the {} one has a body `{}`", side.name(), body.name));
+        }
+    }
     let points = |model: &Model| -> Vec<String> {
         model.architecture.points.iter().map(|point| point.name.clone()).collect()
     };
@@ -160,7 +171,7 @@ fn difference([left, right]: [&Model; 2]) -> Option<String> {
         && a.joints
             .iter()
             .zip(&b.joints)
-            .all(|(a, b)| (&a.name, a.i, a.j, a.kind) == (&b.name, b.i, b.j, b.kind));
+            .all(|(a, b)| (&a.name, a.i, a.j, shape(a)) == (&b.name, b.i, b.j, shape(b)));
     if a.ground != b.ground
         || points(left) != points(right)
         || bodies(left) != bodies(right)
@@ -170,6 +181,11 @@ fn difference([left, right]: [&Model; 2]) -> Option<String> {
     }
     let bars = [left, right].map(|model| model.anti_roll_bar().is_some());
     (bars[0] != bars[1]).then(|| "only one of them has an anti-roll bar".to_owned())
+}
+
+/// The kind and the points of a joint; directions such as the spin axis may differ.
+fn shape(joint: &Joint) -> JointKind {
+    joint.kind.on_lines(|_| Direction::Fixed([0.0; 3]))
 }
 
 /// One side on its way into the mechanism: its names and numbers there.
@@ -230,20 +246,25 @@ impl<'a> Half<'a> {
         shared: bool,
     ) -> Result<(), MechanismError> {
         let (architecture, loads) = (&self.model.architecture, &self.model.loads);
-        let belongs = |i, j| (architecture.is_shared(i) && architecture.is_shared(j)) == shared;
+        let together = |i, j| architecture.is_shared(i) && architecture.is_shared(j);
         let name = |name: &str| if shared { name.to_owned() } else { self.name(name) };
         let bushings = if kinematic { &[][..] } else { &loads.bushings };
         for (index, joint) in architecture.joints.iter().enumerate() {
             let replaced = bushings.iter().any(|bushing| bushing.joint == index);
-            if belongs(joint.i, joint.j) && !replaced {
+            if together(joint.i, joint.j) == shared && !replaced {
                 let kind = joint.kind.on_points(|point| self.point(point));
                 let (i, j) = (self.body(joint.i), self.body(joint.j));
                 mechanism.add_joint(&name(&joint.name), i, j, kind)?;
             }
         }
-        let bushings = bushings.iter().map(|bushing| &bushing.force);
-        for force in loads.forces.iter().chain(bushings) {
-            if belongs(force.i, force.j) {
+        let forces = loads.forces.iter().map(|force| (force, together(force.i, force.j)));
+        let bushings = bushings.iter().map(|bushing| {
+            let Force { i, j, .. } = bushing.force;
+            let once = together(i, j) && self.model.opposite_place(bushing).is_none();
+            (&bushing.force, once)
+        });
+        for (force, once) in forces.chain(bushings) {
+            if once == shared {
                 self.add_force(mechanism, &name(&force.name), force)?;
             }
         }
@@ -265,12 +286,13 @@ impl<'a> Half<'a> {
         &self,
         mechanism: &mut Mechanism,
     ) -> Result<Option<DriverId>, MechanismError> {
-        let Some((rack, at)) = self.model.rack() else {
+        let Some((carrier, rack, at)) = self.model.rack() else {
             return Ok(None);
         };
         let along = self.model.rack_direction();
         let kind = DriverKind::Displacement { at: self.point(at), along };
-        mechanism.add_driver("rack", self.body(BodyId::GROUND), self.body(rack), kind).map(Some)
+        let (i, j) = (self.body(carrier), self.body(rack));
+        mechanism.add_driver("rack", i, j, kind).map(Some)
     }
 
     /// Adds all that is of this side alone.

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::architecture::Architecture;
 use super::diagnostics::{Mistake, ModelDiagnostics, Report, SourceFile};
+use super::fittings::other_side;
 use super::read::Section;
 use super::suggest;
 use super::{MechanismModel, Model};
@@ -21,11 +22,19 @@ impl Model {
     }
 
     /// Reads a model from the text of a file. `name` is the file name that messages show, and
-    /// the path of an architecture is relative to it.
+    /// the paths of an architecture and of the other side are relative to it.
     ///
     /// # Errors
     /// [`ModelDiagnostics`] with every mistake of the text and of its architecture.
     pub fn parse(name: &str, text: &str) -> Result<Self, ModelDiagnostics> {
+        Self::read(name, text, model)
+    }
+
+    fn read(
+        name: &str,
+        text: &str,
+        model: impl FnOnce(&mut Section, &mut Report) -> Option<Self>,
+    ) -> Result<Self, ModelDiagnostics> {
         let file = SourceFile::new(name, text);
         let mut report = Report::new(file.clone());
         let model = super::read::read_file(&file, &mut report, |root, report| {
@@ -88,8 +97,24 @@ impl Document {
 }
 
 fn model(root: &mut Section, report: &mut Report) -> Option<Model> {
+    let named = root.optional::<String>("other_side", report);
     let file = super::file::read(root, report);
-    super::resolve::resolve(root, file, report)
+    let model = super::resolve::resolve(root, file, report);
+    let other = named.as_ref().and_then(|named| other_side::read(named, report));
+    let mut model = model?;
+    if let (Some(named), Some(other)) = (named, other) {
+        other_side::join(&mut model, other, &named, report);
+    }
+    Some(model)
+}
+
+/// Reads a model without the other side that it may name, which would name this one again.
+pub(super) fn alone(name: &str, text: &str) -> Result<Model, ModelDiagnostics> {
+    Model::read(name, text, |root, report| {
+        root.value("other_side");
+        let file = super::file::read(root, report);
+        super::resolve::resolve(root, file, report)
+    })
 }
 
 /// A mechanism has a ground of its own; that of a suspension comes with the architecture.
@@ -151,7 +176,7 @@ pub(super) fn architecture(named: &Spanned<String>, report: &mut Report) -> Opti
 }
 
 /// The text of a file, or what is wrong and what to do.
-fn read_text(path: &Path) -> Result<String, (String, String)> {
+pub(super) fn read_text(path: &Path) -> Result<String, (String, String)> {
     let name = path.display();
     if path.is_dir() {
         let message = format!("`{name}` is a folder, not a file");

@@ -24,6 +24,8 @@ pub struct JointBushing {
     pub(crate) joint: usize,
     /// The bushing, between the bodies of the joint.
     pub force: Force,
+    /// Whether a body that both sides have together has it on each side, such as a mount of the subframe.
+    pub(crate) each_side: bool,
 }
 
 /// Half of an anti-roll bar: an arm that turns on the chassis about a line along y, and a drop link. A

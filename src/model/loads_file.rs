@@ -34,11 +34,13 @@ pub(super) struct LoadPlaces {
 }
 
 impl LoadsFile {
-    /// `joints` are those of the architecture, none where that is not known.
+    /// `joints` are those of the architecture, none where that is not known; `fitted` stands for some of
+    /// them already.
     pub(super) fn read(
         root: &mut Section,
         parts: &Parts,
         joints: &[Joint],
+        fitted: Vec<(Range<usize>, JointBushing)>,
         report: &mut Report,
     ) -> Self {
         let mut place_of_mass = None;
@@ -48,7 +50,8 @@ impl LoadsFile {
         let tyre = tyre(root, parts, report);
         let forces = parts.forces(root, false, report).into_iter();
         let forces = forces.filter_map(|(name, force)| Some((name.span(), force?))).collect();
-        let bushings = bushings(root, parts, joints, report);
+        let mut bushings = bushings(root, parts, joints, report);
+        bushings.extend(fitted);
         let anti_roll_bar = anti_roll_bar(root, parts, report);
         Self { gravity, sprung_mass, masses, tyre, forces, bushings, anti_roll_bar }
     }
@@ -205,7 +208,7 @@ fn bushings(
         if let Some(kind) = kind {
             let (i, j) = (joints[joint].i, joints[joint].j);
             let force = Force { name: name.get_ref().clone(), i, j, kind };
-            bushings.push((name.span(), JointBushing { joint, force }));
+            bushings.push((name.span(), JointBushing { joint, force, each_side: false }));
         }
     }
     bushings

@@ -10,28 +10,42 @@ impl Model {
     pub fn mirrored(&self) -> Self {
         let mut other = self.clone();
         other.side = self.side.other();
+        other.other = self.other.as_ref().map(|given| Box::new(given.mirrored()));
         for point in &mut other.points {
             point.position = mirrored(point.position);
         }
         for mass in other.loads.masses.iter_mut().flatten() {
             *mass = mirrored_mass(mass);
         }
+        for joint in &mut other.architecture.joints {
+            joint.kind = joint.kind.on_lines(mirrored_line);
+        }
         let bushings = other.loads.bushings.iter_mut().map(|bushing| &mut bushing.force);
         for force in other.loads.forces.iter_mut().chain(bushings) {
-            mirror(force);
+            force.mirror();
         }
         other
     }
 }
 
 /// A point, or a vector such as a force. Not a plain negation, which would turn 0 into −0.
-fn mirrored([x, y, z]: [f64; 3]) -> [f64; 3] {
+pub(super) fn mirrored([x, y, z]: [f64; 3]) -> [f64; 3] {
     [x, 0.0 - y, z]
 }
 
 /// A vector with a sense of rotation, such as a moment.
 fn mirrored_axial([x, y, z]: [f64; 3]) -> [f64; 3] {
     [0.0 - x, y, 0.0 - z]
+}
+
+/// A line, which has no sign: along a coordinate axis it is its own image. One between points follows them.
+fn mirrored_line(line: Direction) -> Direction {
+    match line {
+        Direction::Fixed(vector @ [x, y, z]) if y != 0.0 && (x, z) != (0.0, 0.0) => {
+            Direction::Fixed(mirrored(vector))
+        }
+        _ => line,
+    }
 }
 
 fn mirrored_mass(mass: &MassProperties) -> MassProperties {
@@ -43,9 +57,23 @@ fn mirrored_mass(mass: &MassProperties) -> MassProperties {
     }
 }
 
-fn mirror(force: &mut Force) {
-    match &mut force.kind {
+impl Force {
+    /// Turns the force into its mirror image.
+    pub(super) fn mirror(&mut self) {
+        mirror(&mut self.kind);
+    }
+}
+
+fn mirror(kind: &mut ForceKind) {
+    match kind {
         ForceKind::Line { .. } | ForceKind::Tyre { .. } => {}
+        // Along y the direction stays, such as that of the rack, and the law turns round.
+        ForceKind::Slide { along, law, .. } => match *along {
+            Direction::Fixed([_, y, _]) if mirrored_line(*along) == *along && y != 0.0 => {
+                *law = law.reversed();
+            }
+            line => *along = mirrored_line(line),
+        },
         // The axis turns round, so that the angle and its law keep their signs.
         ForceKind::Torsion { axis, .. } => {
             *axis = match *axis {

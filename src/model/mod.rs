@@ -12,6 +12,7 @@ mod chassis;
 mod checks;
 mod diagnostics;
 mod file;
+mod fittings;
 mod load;
 mod loads;
 mod loads_file;
@@ -37,6 +38,7 @@ pub use case_input::{CaseInput, LOAD_COMPONENTS};
 pub use cases::{CaseColumn, LoadCase, LoadCases};
 pub use chassis::Rolling;
 pub use diagnostics::{Mistake, ModelDiagnostics};
+pub use fittings::Steering;
 pub use load::Document;
 pub use loads::{AntiRollBar, JointBushing, Tyre, TyreContact};
 pub use mechanism_file::MechanismModel;
@@ -50,6 +52,10 @@ use crate::mechanism::{Force, MassProperties};
 use crate::vector::{add, scale, sub, unit};
 use diagnostics::Report;
 use loads::Loads;
+
+/// Two points nearer than this (m) are one point, and three points whose distance from a
+/// line is less are on it: a tenth of a millimetre is below any manufacturing tolerance.
+const NEAR: f64 = 1e-4;
 
 /// One corner of a vehicle, in SI units and ISO 8855 axes (x forward, y left, z up).
 #[derive(Clone, Debug)]
@@ -74,6 +80,10 @@ pub struct Model {
     pub spin: SpinAxis,
     /// The vehicle.
     pub vehicle: Vehicle,
+    /// The steering gear, where the model tells of it. Both sides of a vehicle have the same.
+    pub steering: Option<Steering>,
+    /// The other side of the vehicle, where a file of its own describes it.
+    other: Option<Box<Self>>,
     /// Points required by the architecture, in its order, then optional ones, then the model's own.
     points: Vec<NamedPoint>,
     loads: Loads,
@@ -168,6 +178,19 @@ impl Model {
     pub fn has_forces(&self) -> bool {
         let weights = self.loads.gravity != 0.0 && self.loads.masses.iter().any(Option::is_some);
         weights || !self.loads.forces.is_empty() || !self.loads.bushings.is_empty()
+    }
+
+    /// Whether a file of its own describes the other side of the vehicle.
+    pub fn has_other_side(&self) -> bool {
+        self.other.is_some()
+    }
+
+    /// The other side of the vehicle: that of `other_side`, or the mirror image.
+    #[must_use]
+    pub fn other_side(&self) -> Self {
+        let Some(other) = &self.other else { return self.mirrored() };
+        let this = Self { other: None, ..self.clone() };
+        Self { other: Some(Box::new(this)), ..(**other).clone() }
     }
 
     /// Whether the suspension has a rack.

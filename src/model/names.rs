@@ -36,6 +36,11 @@ impl Names {
         self
     }
 
+    /// Exchanges the moving bodies.
+    pub(crate) fn set_bodies(&mut self, bodies: Vec<String>) {
+        self.bodies = bodies;
+    }
+
     /// Whether a point has been asked for.
     pub(crate) fn is_used(&self, name: &str) -> bool {
         self.points.iter().any(|(point, used)| point == name && used.get())

@@ -15,7 +15,7 @@ use super::names::{Names, Unavailable};
 use super::parts::Parts;
 use super::read::Section;
 use super::units::{AngleUnit, Units};
-use super::{Model, NamedPoint, SpinAxis, Vehicle, load, suggest, vehicle};
+use super::{Model, NamedPoint, SpinAxis, Vehicle, fittings, load, suggest, vehicle};
 
 /// A point of the file under its role, in the units and axes of the file.
 struct Placed {
@@ -25,12 +25,19 @@ struct Placed {
 }
 
 pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) -> Option<Model> {
-    let architecture = file.architecture.as_ref().and_then(|name| load::architecture(name, report));
-    let names = names(architecture.as_ref(), file.points.as_ref());
+    let mut architecture =
+        file.architecture.as_ref().and_then(|name| load::architecture(name, report));
+    let mut names = names(architecture.as_ref(), file.points.as_ref());
     let axes = file.axes.as_ref().map(|axes| *axes.get_ref());
-    let parts = Parts { names: &names, units: &file.units, axes: axes.unwrap_or(Axes::Iso8855) };
+    let shown = axes.unwrap_or(Axes::Iso8855);
+    let parts = Parts { names: &names, units: &file.units, axes: shown };
+    let fittings = fittings::fit(root, &parts, architecture.as_mut(), report);
+    if let Some(architecture) = &architecture {
+        names.set_bodies(architecture.bodies().iter().map(|body| body.name.clone()).collect());
+    }
+    let parts = Parts { names: &names, units: &file.units, axes: shown };
     let joints = architecture.as_ref().map_or(&[][..], |architecture| &architecture.joints);
-    let loads = LoadsFile::read(root, &parts, joints, report);
+    let loads = LoadsFile::read(root, &parts, joints, fittings.bushings, report);
     let vehicle = vehicle::read(root, &parts, report);
     let points = match (&architecture, &file.points) {
         (Some(architecture), Some(points)) => place(architecture, &names, points, report),
@@ -52,8 +59,9 @@ pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) 
     let carried = loads.loads(&architecture, units.length.to_metres(*radius.get_ref()));
     let vehicle = vehicle?;
     // A quarter car says the same of its only wheel.
-    let vehicle = Vehicle { sprung_mass: vehicle.sprung_mass.or(carried.sprung_mass), ..vehicle };
-    let model = Model {
+    let sprung_mass = vehicle.sprung_mass.or(carried.sprung_mass);
+    let rack_per_radian = fittings.steering.and_then(|steering| steering.rack_per_radian);
+    let mut model = Model {
         name: file.name?,
         description: file.description,
         source: file.source,
@@ -62,11 +70,16 @@ pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) 
         side: *side.get_ref(),
         wheel_radius: units.length.to_metres(*radius.get_ref()),
         spin,
-        vehicle,
+        vehicle: Vehicle { rack_per_radian, sprung_mass, ..vehicle },
+        steering: fittings.steering,
+        other: None,
         points,
         loads: carried,
         architecture,
     };
+    if let Some(bearing) = fittings.hub_bearing {
+        bearing.attach(&mut model);
+    }
     let spin_span = match &file.wheel.spin {
         Some(SpinFile::Point(name)) => name.span(),
         _ => radius.span(),

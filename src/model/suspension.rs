@@ -1,8 +1,9 @@
 //! From a model to the mechanism that the solver knows.
 
 use super::architecture::{Seats, WheelRole};
+use super::mirror::mirrored;
 use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
-use super::{Model, SpinAxis, SteerAxis, TyreContact, mean};
+use super::{JointBushing, Model, NEAR, SpinAxis, SteerAxis, TyreContact, fittings, mean};
 use crate::mechanism::{
     Acts, BodyId, Contact, Curve, Direction, DriverId, DriverKind, Force, ForceId, ForceKind,
     JointKind, Law, MassProperties, Mechanism, MechanismError, PointId,
@@ -187,11 +188,25 @@ impl Model {
                 mechanism.add_joint(&joint.name, i, j, joint.kind)?;
             }
         }
-        let bushings = bushings.iter().map(|bushing| &bushing.force);
+        let (mounts, bushings) = (bushings, bushings.iter().map(|bushing| &bushing.force));
         for force in self.loads.forces.iter().chain(bushings) {
             add_force(mechanism, numbers, force)?;
         }
+        for (bushing, place) in mounts.iter().filter_map(|b| Some((b, self.opposite_place(b)?))) {
+            let point = format!("opposite of {}", bushing.force.name);
+            let at = mechanism.add_point(&point, place)?;
+            let image = fittings::opposite(&bushing.force, at, &self.points);
+            add_force(mechanism, numbers, &image)?;
+        }
         Ok(())
+    }
+
+    /// The place (m) of the image of a bushing that a shared body has on each side; `None` for others, and
+    /// for one on the centre line, which is its own image.
+    pub(super) fn opposite_place(&self, bushing: &JointBushing) -> Option<[f64; 3]> {
+        let [at, _] = bushing.force.kind.points().filter(|_| bushing.each_side)?;
+        let place = self.points[at.0].position;
+        (place[1].abs() > NEAR).then(|| mirrored(place))
     }
 
     /// The line of the first spring of the model, or else the one that the architecture knows. `number`
@@ -265,20 +280,21 @@ impl Model {
         mechanism: &mut Mechanism,
         numbers: Numbering,
     ) -> Result<Option<DriverId>, MechanismError> {
-        let Some((rack, at)) = self.rack() else {
+        let Some((carrier, rack, at)) = self.rack() else {
             return Ok(None);
         };
         let along = self.rack_direction();
         let kind = DriverKind::Displacement { at, along };
-        let (i, j) = (numbers.body(BodyId::GROUND), numbers.body(rack));
+        let (i, j) = (numbers.body(carrier), numbers.body(rack));
         mechanism.add_driver("rack", i, j, kind).map(Some)
     }
 
-    /// The body of the rack, which slides on the ground of the architecture, and its point.
-    pub(super) fn rack(&self) -> Option<(BodyId, PointId)> {
+    /// The body that carries the rack, the body that is driven along its slide, and the point of that: the
+    /// rack itself, or the end of a steering gear that gives way.
+    pub(super) fn rack(&self) -> Option<(BodyId, BodyId, PointId)> {
         let joint = &self.architecture.joints[self.architecture.rack?];
         match joint.kind {
-            JointKind::Translational { at, .. } => Some((joint.j, at)),
+            JointKind::Translational { at, .. } => Some((joint.i, joint.j, at)),
             _ => None,
         }
     }

@@ -59,6 +59,8 @@ pub struct Vehicle {
     pub sprung_mass: Option<f64>,
     /// Unsprung mass of one wheel of this axle (kg).
     pub unsprung_mass: Option<f64>,
+    /// Displacement of the rack (m) per radian of the steering wheel to the left, from `[steering]`.
+    pub rack_per_radian: Option<f64>,
 }
 
 /// Wheelbases (m) from small models to mining trucks.
@@ -94,6 +96,7 @@ pub(super) fn read(root: &mut Section, parts: &Parts, report: &mut Report) -> Op
         mass: total,
         sprung_mass,
         unsprung_mass,
+        rack_per_radian: None,
     })
 }
 

@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::rounded;
 use super::table::cell;
-use crate::factors::basic;
+use crate::factors::{Factor, basic};
 use crate::mechanism::ForceKind;
 use crate::model::{Axes, Quantity, Units};
 use crate::rig::{Channel, Pose};
@@ -27,8 +27,8 @@ pub struct StaticsReport<'a> {
     pub equilibrium: &'a Equilibrium,
     /// How it was found.
     pub found: &'a StaticReport,
-    /// The wheel, where there is one.
-    pub pose: Option<&'a Pose<f64>>,
+    /// The wheel, those on the left and the right of an axle, or none.
+    pub poses: &'a [Pose<f64>],
     /// The channels of force elements.
     pub elements: &'a [Channel],
 }
@@ -48,8 +48,8 @@ impl StaticsReport<'_> {
     pub fn write_text(&self, mut writer: impl io::Write) -> io::Result<()> {
         writeln!(writer, "{}", self.title)?;
         writeln!(writer, "{}", self.how())?;
-        if let Some(pose) = self.pose {
-            writeln!(writer, "\nwheel")?;
+        for pose in self.poses {
+            writeln!(writer, "\n{}wheel", self.side(pose, " "))?;
             for factor in basic() {
                 if let Some(value) = factor.show(self.units, pose) {
                     let unit = factor.quantity.symbol(self.units);
@@ -130,10 +130,15 @@ impl StaticsReport<'_> {
             };
             Value::Object(lines.into_iter().map(entry).collect::<Map<_, _>>())
         };
-        let factors = basic().filter_map(|factor| {
-            let value = factor.show(self.units, self.pose?)?;
-            Some((factor.column(self.units), json!(rounded(value))))
+        let factors = self.poses.iter().map(|pose| {
+            let factor = |factor: &'static Factor| {
+                let value = factor.show(self.units, pose)?;
+                Some((factor.column(self.units), json!(rounded(value))))
+            };
+            let factors: Map<_, _> = basic().filter_map(factor).collect();
+            (format!("{}wheel", self.side(pose, "_")), Value::Object(factors))
         });
+        let wheels: Map<_, _> = factors.collect();
         let channels = |drivers: bool| -> Map<_, _> {
             let group = self.elements.iter().filter(|c| c.force().is_none() == drivers);
             let value = |channel: &Channel| {
@@ -143,7 +148,7 @@ impl StaticsReport<'_> {
             group.map(value).collect()
         };
         let stiffness = self.found.stiffness;
-        json!({
+        let mut report = json!({
             "title": self.title,
             "axes": self.axes.name(),
             "units": {
@@ -155,12 +160,22 @@ impl StaticsReport<'_> {
             "relaxation_steps": self.found.relaxation_steps,
             "relative_residual": self.found.relative_residual,
             "smallest_stiffness_N_per_m": stiffness.is_finite().then_some(stiffness),
-            "wheel": factors.collect::<Map<_, _>>(),
             "bodies": object(self.bodies(), ["displacement", "rotation"]),
             "joints": object(self.joints(), ["force", "moment"]),
             "drivers": channels(true),
             "force_elements": channels(false),
-        })
+        });
+        // A mechanism has no wheel, which is told, too.
+        let none = wheels.is_empty().then(|| ("wheel".to_owned(), json!({})));
+        if let Some(report) = report.as_object_mut() {
+            report.extend(wheels.into_iter().chain(none));
+        }
+        report
+    }
+
+    /// The side of a wheel of an axle with what joins it to a word.
+    fn side(&self, pose: &Pose<f64>, joint: &str) -> String {
+        if self.poses.len() > 1 { format!("{}{joint}", pose.side.name()) } else { String::new() }
     }
 
     /// How the equilibrium was found, in a sentence.

@@ -11,7 +11,7 @@ use super::station::Station;
 use super::sweep::Specimen;
 use super::target::{Supports, Target};
 use crate::mechanism::Force;
-use crate::model::{AxleSide, AxleSuspension, Model, Rolling, Setup, Side, WheelSupport};
+use crate::model::{AxleSide, AxleSuspension, Model, Rolling, Setup, Side, Steering, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::compliance::ComplianceError;
 use crate::solve::equilibrium::Equilibrium;
@@ -30,6 +30,7 @@ pub struct Axle {
     own_forces: usize,
     elements: Vec<Channel>,
     measures_compliance: bool,
+    steering: Steering,
 }
 
 impl Axle {
@@ -103,6 +104,7 @@ impl Axle {
             loads,
             own_forces,
             measures_compliance: false,
+            steering: model.steering.unwrap_or_default(),
         })
     }
 
@@ -164,7 +166,8 @@ impl Axle {
     /// on their tyres ignore `travel`.
     ///
     /// # Errors
-    /// [`Stop`] where the mechanism cannot go on or has no equilibrium. It then stays where it got to.
+    /// [`Stop`] where the mechanism cannot go on or has no equilibrium, and beyond the limits of the rack. It
+    /// then stays where it got to.
     pub fn move_to(&mut self, travel: [f64; 2], rack: f64) -> Result<StepReport, Stop> {
         self.hold(&Target { wheels: travel.map(Hold::Value), rack, ..Target::default() })
     }
@@ -179,7 +182,13 @@ impl Axle {
         let AxleSuspension { sides, rack, rolling, .. } = &self.suspension;
         let wheels = sides.iter().zip(target.wheels);
         let mut targets: Vec<_> = wheels.map(|(part, hold)| (part.travel, hold)).collect();
-        targets.extend(rack.map(|driver| (driver, Hold::Value(target.rack))));
+        if let Some(driver) = *rack {
+            if let Some(limit) = self.steering.exceeded(target.rack) {
+                let from = self.stand.driver_value(driver);
+                return Err(Stop::limit("rack", from, target.rack, limit));
+            }
+            targets.push((driver, Hold::Value(target.rack)));
+        }
         if let Some(Rolling { roll, heave, .. }) = *rolling {
             targets.extend([(roll, Hold::Value(target.roll)), (heave, target.heave)]);
         }

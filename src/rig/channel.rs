@@ -3,7 +3,9 @@
 use std::collections::HashSet;
 
 use crate::kernels::RelationKind;
-use crate::mechanism::{BodyId, DriverId, Expansion, ForceId, ForceKind, Mechanism, Owner};
+use crate::mechanism::{
+    BodyId, Driver, DriverId, DriverKind, Element, Expansion, ForceId, ForceKind, Mechanism, Owner,
+};
 use crate::model::{Axes, Quantity};
 use crate::solve::{Loaded, Reaction, rotation};
 use crate::vector::{dot, rotation_angles};
@@ -110,6 +112,18 @@ pub fn element_channels(mechanism: &Mechanism, expansion: &Expansion) -> Vec<Cha
                 let length = value(first, 1.0, Some(reference));
                 add("length", "length", Quantity::Length, "distance of its ends", length);
                 add("force", "force", Quantity::Force, "+ tension", law(first, 1.0));
+            }
+            ForceKind::Slide { .. } => {
+                let sign = "+ body j along the direction, from body i";
+                add(
+                    "displacement",
+                    "displacement",
+                    Quantity::Length,
+                    sign,
+                    value(first, 1.0, None),
+                );
+                let sign = "+ on body j along the direction";
+                add("force", "force", Quantity::Force, sign, law(first, -1.0));
             }
             ForceKind::Torsion { .. } => {
                 let sign = "+ body j turned right-handed from design";
@@ -218,6 +232,36 @@ pub fn heave_channel(mechanism: &Mechanism, chassis: BodyId) -> Channel {
         source: Source::BodyRise { body: chassis, from },
         force: None,
     }
+}
+
+/// The whole displacement of bodies that hang on a driven one by a spring along its way, such as that of a
+/// rack behind the driven end of its steering column.
+pub fn driven_channels(mechanism: &Mechanism, expansion: &Expansion) -> Vec<Channel> {
+    let driven = |element: &Element| {
+        let Owner::Force(id) = element.instance.owner else { return None };
+        let force = &mechanism.forces()[id.index()];
+        let ForceKind::Slide { along, .. } = force.kind else { return None };
+        let drives = |driver: &DriverId| {
+            let Driver { j, kind, .. } = &mechanism.drivers()[driver.index()];
+            *j == force.i
+                && matches!(kind, DriverKind::Displacement { along: way, .. } if *way == along)
+        };
+        let driver = mechanism.driver_ids().find(drives)?;
+        let body = &mechanism.bodies()[force.j.index()].name;
+        Some(Channel {
+            name: format!("{body}_displacement"),
+            title: format!("{body}, displacement"),
+            quantity: Quantity::Length,
+            sign: "+ in the sense of what drives it",
+            source: Source::Value {
+                value: element.instance.equations.start,
+                factor: 1.0,
+                reference: Some(expansion.driver_slot(driver)),
+            },
+            force: None,
+        })
+    };
+    expansion.elements().iter().filter_map(driven).collect()
 }
 
 /// The force or moment that holds each driver that is not released.

@@ -12,7 +12,7 @@ use super::station::Station;
 use super::sweep::Specimen;
 use super::target::{Supports, Target};
 use crate::mechanism::{Force, MechanismError};
-use crate::model::{Model, Setup, Suspension, SuspensionError, WheelSupport};
+use crate::model::{Model, Setup, Steering, Suspension, SuspensionError, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::compliance::ComplianceError;
 use crate::solve::equilibrium::Equilibrium;
@@ -47,6 +47,7 @@ pub struct Corner {
     own_forces: usize,
     elements: Vec<Channel>,
     measures_compliance: bool,
+    steering: Steering,
 }
 
 impl Corner {
@@ -90,6 +91,7 @@ impl Corner {
             elements,
             own_forces,
             measures_compliance: false,
+            steering: model.steering.unwrap_or_default(),
         })
     }
 
@@ -148,7 +150,8 @@ impl Corner {
     /// on its tyre ignores `travel`.
     ///
     /// # Errors
-    /// [`Stop`] where the mechanism cannot go on or has no equilibrium. It then stays where it got to.
+    /// [`Stop`] where the mechanism cannot go on or has no equilibrium, and beyond the limits of the rack. It
+    /// then stays where it got to.
     pub fn move_to(&mut self, travel: f64, rack: f64) -> Result<StepReport, Stop> {
         self.hold(Hold::Value(travel), rack)
     }
@@ -160,7 +163,13 @@ impl Corner {
     /// As for [`Self::move_to`], and where no travel has the force.
     pub fn hold(&mut self, wheel: Hold, rack: f64) -> Result<StepReport, Stop> {
         let mut targets = vec![(self.suspension.travel, wheel)];
-        targets.extend(self.suspension.rack.map(|driver| (driver, Hold::Value(rack))));
+        if let Some(driver) = self.suspension.rack {
+            if let Some(limit) = self.steering.exceeded(rack) {
+                let from = self.stand.driver_value(driver);
+                return Err(Stop::limit("rack", from, rack, limit));
+            }
+            targets.push((driver, Hold::Value(rack)));
+        }
         self.stand.hold(&targets)
     }
 

@@ -1,7 +1,8 @@
 //! A mechanism on the rig: moved by its drivers, loaded by its forces.
 
 use super::channel::{
-    Channel, body_channels, distinct, driver_channels, element_channels, joint_channels,
+    Channel, body_channels, distinct, driven_channels, driver_channels, element_channels,
+    joint_channels,
 };
 use super::corner::RigError;
 use super::pose::Pose;
@@ -134,6 +135,7 @@ impl Stand {
         let (mechanism, expansion) = (self.mechanism(), self.system.expansion());
         let own = |channel: &Channel| channel.force().is_some_and(|f| f.index() < own_forces);
         let mut channels = driver_channels(mechanism, expansion, travels);
+        channels.extend(driven_channels(mechanism, expansion));
         channels.extend(element_channels(mechanism, expansion).into_iter().filter(own));
         distinct(channels.iter_mut());
         channels

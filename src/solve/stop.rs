@@ -42,6 +42,13 @@ pub enum StopReason {
         /// By how much, in the unit of the equation.
         residual: f64,
     },
+    /// A driver has a limit.
+    Limit {
+        /// The driver.
+        driver: String,
+        /// The limit (m).
+        limit: f64,
+    },
     /// A driver was given a value that is not finite.
     NotFinite {
         /// The driver.
@@ -99,6 +106,13 @@ impl Stop {
         let ways = values.iter().zip(targets).enumerate();
         let ways = ways.map(|(driver, (&value, &target))| (DriverId(driver), value, target));
         Self { reached: on_the_way(mechanism, ways), reason }
+    }
+
+    /// A driver would go beyond a limit (m) on its way from a value to a target.
+    pub fn limit(driver: &str, value: f64, target: f64, limit: f64) -> Self {
+        let reached = Reached { driver: driver.to_owned(), unit: "m", value, target };
+        let reason = StopReason::Limit { driver: driver.to_owned(), limit };
+        Self { reached: vec![reached], reason }
     }
 
     /// The forces have no equilibrium. `ways` lists drivers with their values and their targets.
@@ -186,6 +200,11 @@ impl fmt::Display for StopReason {
                 f,
                 "{equation}, is redundant at the design position but is violated by {residual:.1e} here: \
                  the joints hold this motion; make their axes exactly parallel, or free one of them"
+            ),
+            Self::Limit { driver, limit } => write!(
+                f,
+                "{driver} has a limit at {} mm; stay within it, or change the limits of the model",
+                plain(limit * 1e3)
             ),
             Self::NotFinite { driver } => {
                 write!(f, "driver {driver} was given a value that is not a finite number")

@@ -4,10 +4,10 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use hardpoint::factors::basic;
+use hardpoint::factors::{self, Convention, basic};
 use hardpoint::mechanism::{BodyId, Force};
-use hardpoint::model::{Axes, Document, MechanismModel, Model, Quantity, Setup, Units};
-use hardpoint::rig::{Corner, Pose, Stand};
+use hardpoint::model::{Axes, Document, MechanismModel, Model, Quantity, Setup, Side, Units};
+use hardpoint::rig::{Axle, Corner, Pose, Stand};
 use hardpoint::solve::{StaticFailure, StaticReport};
 
 use crate::failure::Failure;
@@ -21,10 +21,14 @@ use crate::output::{Output, SideName, axes_of_words};
 #[command(after_help = "\
 Examples:
   hardpoint check models/double-wishbone.toml
+  hardpoint check models/sedan-axle.toml --axle
   hardpoint check models/adams-tr-front.toml --side right")]
 pub struct Check {
     /// The model or mechanism file.
     model: PathBuf,
+    /// Put both sides together: the model and its other side.
+    #[arg(long, conflicts_with = "side")]
+    axle: bool,
     /// Look at this side of the vehicle; the other side is the mirror image of the model.
     #[arg(long)]
     side: Option<SideName>,
@@ -35,13 +39,27 @@ impl Check {
     pub fn run(&self) -> Result<(), Failure> {
         let rig = |error| Failure::Rig(self.model.display().to_string(), Box::new(error));
         match load(&self.model, self.side)? {
+            Document::Suspension(model) if self.axle => {
+                let mut axle = Axle::new(&model, &Setup::default()).map_err(rig)?;
+                warn_of_ratio(&model);
+                let poses = [Side::Left, Side::Right].map(|side| axle.pose(side));
+                let leaves = leaves_free(axle.stand());
+                let held = leaves.then(|| held(axle.rest(), model.units));
+                let parts = (axle.stand(), axle.forces());
+                Output::Stdout.write(|writer| suspension(writer, &model, parts, &poses, held))
+            }
             Document::Suspension(model) => {
+                warn_of_ratio(&model);
                 let mut corner = Corner::new(&model, &Setup::default()).map_err(rig)?;
-                let pose = corner.pose();
+                let poses = [corner.pose()];
                 let leaves = leaves_free(corner.stand());
                 let held = leaves.then(|| held(corner.rest(), model.units));
-                Output::Stdout.write(|writer| suspension(writer, &model, &corner, &pose, held))
+                let parts = (corner.stand(), corner.forces());
+                Output::Stdout.write(|writer| suspension(writer, &model, parts, &poses, held))
             }
+            Document::Mechanism(_) if self.axle => Err(Failure::Usage(
+                "--axle belongs to suspensions; this file is a mechanism".into(),
+            )),
             Document::Mechanism(model) => {
                 let mut stand =
                     Stand::new(model.mechanism.clone(), &[], Axes::Iso8855).map_err(rig)?;
@@ -49,6 +67,21 @@ impl Check {
                 Output::Stdout.write(|writer| mechanism(writer, &model, &stand, held))
             }
         }
+    }
+}
+
+/// A sign of `rack_per_turn` that does not fit the geometry is easily overlooked.
+fn warn_of_ratio(model: &Model) {
+    let rigid = Setup { kinematic: true, ..Setup::default() };
+    let ratio = Corner::new(model, &rigid).ok().and_then(|mut corner| {
+        let ratio = factors::find("steering_ratio").ok()?;
+        ratio.value(Convention::Iso, &corner.pose())
+    });
+    if ratio.is_some_and(|ratio| ratio < 0.0) {
+        eprintln!(
+            "warning: turned to the left, the steering wheel steers to the right; change the sign of \
+             `rack_per_turn` in [steering]"
+        );
     }
 }
 
@@ -74,29 +107,44 @@ fn held(found: Result<StaticReport, StaticFailure>, units: Units) -> String {
 fn suspension(
     writer: &mut dyn Write,
     model: &Model,
-    corner: &Corner,
-    pose: &Pose<f64>,
+    (stand, forces): (&Stand, &[Force]),
+    poses: &[Pose<f64>],
     held: Option<String>,
 ) -> io::Result<()> {
     let units = model.units;
     let length = units.length.symbol();
     header(writer, &model.name, model.description.as_deref())?;
     writeln!(writer, "architecture   {}", model.architecture.title())?;
-    writeln!(writer, "side           {}", model.side.name())?;
+    let side = match poses {
+        [_] => model.side.name().to_owned(),
+        _ => match model.has_other_side() {
+            true => format!("both, {} from this file", model.side.name()),
+            false => format!("both, {} the mirror image", model.side.other().name()),
+        },
+    };
+    writeln!(writer, "side           {side}")?;
     writeln!(writer, "axes           {}", model.axes.name())?;
     writeln!(writer, "units          {length}, {}", units.angle.symbol())?;
     let radius = units.length.from_metres(model.wheel_radius);
     writeln!(writer, "wheel radius   {radius} {length}")?;
     writeln!(writer)?;
-    parts(writer, corner.stand(), corner.forces(), model.axes, held)?;
+    parts(writer, stand, forces, model.axes, held)?;
     writeln!(writer)?;
     writeln!(writer, "at the design position:")?;
+    if let [left, right] = poses {
+        let [left, right] = [left, right].map(|pose| pose.side.name());
+        writeln!(writer, "{:<24} {left:>12} {right:>12}", "")?;
+    }
     for factor in basic() {
-        if let Some(value) = factor.show(units, pose) {
+        let values: Option<Vec<f64>> = poses.iter().map(|pose| factor.show(units, pose)).collect();
+        if let Some(values) = values {
             let unit = factor.quantity.symbol(units);
             // Rounding noise of a value that is zero at design would only distract.
-            let value = if value.abs() < 5e-10 { 0.0 } else { value };
-            writeln!(writer, "{:<24} {value:>12.4} {unit:<4} {}", factor.title, factor.sign)?;
+            let exact = |value: &f64| if value.abs() < 5e-10 { 0.0 } else { *value };
+            let values: Vec<String> =
+                values.iter().map(|value| format!("{:>12.4}", exact(value))).collect();
+            let values = values.join(" ");
+            writeln!(writer, "{:<24} {values} {unit:<4} {}", factor.title, factor.sign)?;
         }
     }
     Ok(())

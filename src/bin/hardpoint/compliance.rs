@@ -13,6 +13,7 @@ use crate::failure::Failure;
 use crate::load;
 use crate::loads::{RigOptions, length};
 use crate::output::{Format, Output, SideName, axes_of_words};
+use crate::steering::SteeringOptions;
 
 /// The compliance matrix: displacements and rotations of wheels per unit force and moment, 6×6 of a
 /// corner, 12×12 of an axle.
@@ -39,9 +40,8 @@ pub struct Compliance {
     /// Wheel travel, of both wheels of an axle [default: 0].
     #[arg(long, allow_negative_numbers = true, value_name = "T")]
     travel: Option<f64>,
-    /// Rack displacement [default: 0].
-    #[arg(long, allow_negative_numbers = true, value_name = "R")]
-    rack: Option<f64>,
+    #[command(flatten)]
+    steering: SteeringOptions,
     #[command(flatten)]
     rig: RigOptions,
     /// Look at this side of the vehicle; the other side is the mirror image of the model.
@@ -65,11 +65,8 @@ impl Compliance {
             return usage("a compliance belongs to wheels; this file is a mechanism");
         };
         let travel = length("--travel", self.travel, model.units)?;
-        let rack = length("--rack", self.rack, model.units)?;
+        let rack = self.steering.rack(&model)?;
         let steers = model.steers();
-        if self.rack.is_some() && !steers {
-            return usage("this suspension has no rack; leave out --rack");
-        }
         let at = self.rig.point_or(LoadPoint::WheelCenter);
         let compliance = if self.axle {
             self.of_axle(&model, travel, rack, at)?

@@ -4,15 +4,16 @@ use std::path::PathBuf;
 
 use clap::Args;
 use hardpoint::mechanism::DriverId;
-use hardpoint::model::{Axes, Chassis, Document, MechanismModel, Model, WheelSupport};
+use hardpoint::model::{Axes, Chassis, Document, MechanismModel, Model, Setup, Side, WheelSupport};
 use hardpoint::report::StaticsReport;
-use hardpoint::rig::{Corner, RigError, Stand};
+use hardpoint::rig::{Axle, Corner, RigError, Stand};
 use hardpoint::solve::{StaticFailure, Stop};
 
 use crate::failure::Failure;
 use crate::load;
 use crate::loads::{RigOptions, length};
 use crate::output::{Output, Sheet, SideName, axes_of_words};
+use crate::steering::SteeringOptions;
 
 /// Find the static equilibrium: pose, reactions of all joints, state of all springs and bushings.
 ///
@@ -28,16 +29,19 @@ Examples:
   hardpoint equilibrium models/quarter-car.toml --fixed-chassis --travel 20
   hardpoint equilibrium models/bushed-double-wishbone.toml --load fx=1000 --load mz=-100
   hardpoint equilibrium models/bushed-double-wishbone.toml --kinematic --format json
+  hardpoint equilibrium models/sedan-axle.toml --axle --load left.fx=1000
   hardpoint equilibrium models/anti-roll-bar.toml")]
 pub struct Equilibrium {
     /// The model or mechanism file.
     model: PathBuf,
+    /// Put both sides on the rig: the model and its other side.
+    #[arg(long, conflicts_with = "side")]
+    axle: bool,
     /// Hold the wheel at this travel instead of standing it on its tyre.
     #[arg(long, allow_negative_numbers = true, value_name = "T")]
     travel: Option<f64>,
-    /// Rack displacement [default: 0].
-    #[arg(long, allow_negative_numbers = true, value_name = "R")]
-    rack: Option<f64>,
+    #[command(flatten)]
+    steering: SteeringOptions,
     #[command(flatten)]
     rig: RigOptions,
     /// Hold the chassis of a quarter car.
@@ -70,7 +74,8 @@ impl Equilibrium {
 
     fn suspension(&self, model: &Model, output: &Output) -> Result<(), Failure> {
         let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
-        if !model.has_forces() {
+        let has_forces = if self.axle { model.axle_has_forces() } else { model.has_forces() };
+        if !has_forces {
             return usage(
                 "the model has no forces, so every position is an equilibrium; add [[forces]] to it, \
                  or use `hardpoint sweep`",
@@ -80,24 +85,12 @@ impl Equilibrium {
             return usage("--release names drivers of a mechanism file; a suspension has none");
         }
         let free = self.travel.is_none();
-        let slides = free && model.is_quarter_car() && !self.fixed_chassis;
+        let slides = free && model.is_quarter_car() && !self.fixed_chassis && !self.axle;
         let support = if free { WheelSupport::Free } else { WheelSupport::Held };
         let chassis = if slides { Chassis::Slide } else { Chassis::Fixed };
         let travel = length("--travel", self.travel, model.units)?;
-        let rack = length("--rack", self.rack, model.units)?;
-        let load = self.rig.load(model)?;
+        let rack = self.steering.rack(model)?;
         let setup = self.rig.setup(support, chassis);
-        let mut corner = Corner::with_loads(model, &setup, self.rig.point())
-            .map_err(|error| self.cannot_stand(error))?;
-        if rack != 0.0 && !corner.steers() {
-            return usage("this suspension has no rack; leave out --rack");
-        }
-        corner.set_load(&load);
-        if travel != 0.0 || rack != 0.0 {
-            corner.move_to(travel, rack).map_err(|stop| self.stopped(stop, model.axes))?;
-        }
-        let found = corner.rest().map_err(|failure| self.fails(failure, model.axes))?;
-        let pose = corner.pose();
         let how = match (free, slides, model.has_tyre()) {
             (true, true, _) => "quarter car on its tyre".to_owned(),
             (true, false, true) => "chassis fixed, wheel on its tyre".to_owned(),
@@ -108,29 +101,77 @@ impl Equilibrium {
                 format!("wheel held at a travel of {travel} {}", unit.symbol())
             }
         };
-        let title = format!(
-            "{}, {} side, {} axes, {how}",
-            model.name,
-            model.side.name(),
-            model.axes.name()
-        );
+        let side = if self.axle { "axle".into() } else { format!("{} side", model.side.name()) };
+        let title = format!("{}, {side}, {} axes, {how}", model.name, model.axes.name());
+        match self.axle {
+            true => self.axle(model, &setup, (travel, rack), &title, output),
+            false => self.corner(model, &setup, (travel, rack), &title, output),
+        }
+    }
+
+    fn corner(
+        &self,
+        model: &Model,
+        setup: &Setup,
+        (travel, rack): (f64, f64),
+        title: &str,
+        output: &Output,
+    ) -> Result<(), Failure> {
+        let load = self.rig.load(model)?;
+        let mut corner = Corner::with_loads(model, setup, self.rig.point())
+            .map_err(|error| self.cannot_stand(error))?;
+        corner.set_load(&load);
+        if travel != 0.0 || rack != 0.0 {
+            corner.move_to(travel, rack).map_err(|stop| self.stopped(stop, model.axes))?;
+        }
+        let found = corner.rest().map_err(|failure| self.fails(failure, model.axes))?;
         let report = StaticsReport {
-            title: &title,
+            title,
             axes: model.axes,
             units: model.units,
-            equilibrium: corner.equilibrium(),
             found: &found,
-            pose: Some(&pose),
+            poses: &[corner.pose()],
+            equilibrium: corner.equilibrium(),
             elements: corner.element_channels(),
         };
         self.write(&report, output)
     }
 
+    fn axle(
+        &self,
+        model: &Model,
+        setup: &Setup,
+        (travel, rack): (f64, f64),
+        title: &str,
+        output: &Output,
+    ) -> Result<(), Failure> {
+        let loads = self.rig.axle_loads(model)?;
+        let mut axle = Axle::with_loads(model, setup, self.rig.point())
+            .map_err(|error| self.cannot_stand(error))?;
+        axle.set_load(&loads);
+        if travel != 0.0 || rack != 0.0 {
+            axle.move_to([travel; 2], rack).map_err(|stop| self.stopped(stop, model.axes))?;
+        }
+        let found = axle.rest().map_err(|failure| self.fails(failure, model.axes))?;
+        let report = StaticsReport {
+            title,
+            axes: model.axes,
+            units: model.units,
+            found: &found,
+            poses: &[axle.pose(Side::Left), axle.pose(Side::Right)],
+            equilibrium: axle.equilibrium(),
+            elements: axle.element_channels(),
+        };
+        self.write(&report, output)
+    }
+
     fn mechanism(&self, model: &MechanismModel, output: &Output) -> Result<(), Failure> {
-        if self.travel.is_some() || self.rack.is_some() {
-            return Err(Failure::Usage(
-                "--travel and --rack belong to suspensions; this file is a mechanism".into(),
-            ));
+        let travel = self.travel.map(|_| "--travel");
+        let axle = self.axle.then_some("--axle");
+        if let Some(option) = travel.or(self.steering.given()).or(axle) {
+            return Err(Failure::Usage(format!(
+                "{option} belongs to suspensions; this file is a mechanism"
+            )));
         }
         self.rig.refuse()?;
         refuse_fixed_chassis(self.fixed_chassis)?;
@@ -144,7 +185,7 @@ impl Equilibrium {
             units: model.units,
             equilibrium: stand.equilibrium(),
             found: &found,
-            pose: None,
+            poses: &[],
             elements: stand.force_channels(),
         };
         self.write(&report, output)

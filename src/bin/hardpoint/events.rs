@@ -1,13 +1,14 @@
 //! The events of corners and axles, by their names on the command line.
 
+use std::f64::consts::{FRAC_PI_6, PI};
+
 use clap::{Args, ValueEnum};
-use hardpoint::model::{Quantity, Side, Units};
+use hardpoint::model::{Model, Quantity, Side, Units};
 use hardpoint::rig::{Event, LOAD_COMPONENTS, Supports, Vertical};
 
 use crate::failure::Failure;
 use crate::loads;
-
-use std::f64::consts::PI;
+use crate::steering::{SteerBy, rack_per_radian};
 
 /// What changes.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -55,8 +56,8 @@ pub struct Course {
     pub event: Event,
     /// What its values are.
     pub quantity: Quantity,
-    /// The values go from minus to plus this (SI).
-    pub range: f64,
+    /// First and last value (SI).
+    pub range: [f64; 2],
     /// Distance of the values (SI).
     pub step: f64,
     /// The name for reports.
@@ -158,14 +159,20 @@ impl Course {
             Some(before) => format!("{before}{what}"),
             None => what.to_owned(),
         };
-        Ok(Self { quantity: Quantity::Force, range: 1000.0, step: 100.0, name, event })
+        Ok(Self { quantity: Quantity::Force, range: [-1000.0, 1000.0], step: 100.0, name, event })
     }
 
-    /// The event of a corner. A load event changes the component `vary`.
-    pub fn of_corner(event: EventName, vary: Option<&str>) -> Result<Self, Failure> {
+    /// The event of a corner. A load event changes the component `vary`, a steer event goes `by` rack or
+    /// steering wheel.
+    pub fn of_corner(
+        event: EventName,
+        model: &Model,
+        vary: Option<&str>,
+        by: SteerBy,
+    ) -> Result<Self, Failure> {
         match event {
             EventName::Travel | EventName::Envelope => Ok(Self::travel(Event::Travel, "travel")),
-            EventName::Steer => Ok(Self::steer()),
+            EventName::Steer => Self::steer(model, by),
             EventName::Load => {
                 let (component, name) = component(vary)?;
                 Ok(Self::load(Event::Load(component), component, format!("load {name}")))
@@ -178,10 +185,12 @@ impl Course {
         }
     }
 
-    /// The event of an axle. A load event loads the `wheels`.
+    /// The event of an axle, as for a corner. A load event loads the `wheels`.
     pub fn of_axle(
         event: EventName,
+        model: &Model,
         vary: Option<&str>,
+        by: SteerBy,
         wheels: Option<Wheels>,
     ) -> Result<Self, Failure> {
         Ok(match event {
@@ -191,10 +200,11 @@ impl Course {
             EventName::Opposite => Self::travel(Event::Opposite, "opposite travel"),
             EventName::Left => Self::travel(Event::Single(Side::Left), "left travel"),
             EventName::Right => Self::travel(Event::Single(Side::Right), "right travel"),
-            EventName::Steer => Self::steer(),
+            EventName::Steer => Self::steer(model, by)?,
             EventName::Roll | EventName::RollLoad => {
                 let (event, quantity, name) = (Event::Roll, Quantity::Angle, "roll".to_owned());
-                Self { event, quantity, range: PI / 60.0, step: PI / 360.0, name }
+                let range = [-PI / 60.0, PI / 60.0];
+                Self { event, quantity, range, step: PI / 360.0, name }
             }
             EventName::Load => {
                 let (component, name) = component(vary)?;
@@ -211,17 +221,26 @@ impl Course {
 
     fn travel(event: Event, name: &str) -> Self {
         let quantity = Quantity::Length;
-        Self { event, quantity, range: 0.13, step: 0.01, name: name.to_owned() }
+        Self { event, quantity, range: [-0.13, 0.13], step: 0.01, name: name.to_owned() }
     }
 
-    fn steer() -> Self {
-        let (event, quantity) = (Event::Steer, Quantity::Length);
-        Self { event, quantity, range: 0.04, step: 0.005, name: "steer".to_owned() }
+    /// The steer event of a model, from one limit of its rack to the other, by rack or steering wheel.
+    fn steer(model: &Model, by: SteerBy) -> Result<Self, Failure> {
+        let range = model.steering.and_then(|steering| steering.limits).unwrap_or([-0.04, 0.04]);
+        let (event, name) = (Event::Steer, "steer".to_owned());
+        if by == SteerBy::Rack {
+            return Ok(Self { event, quantity: Quantity::Length, range, step: 0.005, name });
+        }
+        let per_radian = rack_per_radian(model)?;
+        let mut range = range.map(|rack| rack / per_radian);
+        range.sort_by(f64::total_cmp);
+        Ok(Self { event, quantity: Quantity::Angle, range, step: FRAC_PI_6, name })
     }
 
     fn load(event: Event, component: usize, name: String) -> Self {
         let range = if component < 3 { 1000.0 } else { 100.0 };
-        Self { event, quantity: loads::quantity(component), range, step: range / 10.0, name }
+        let quantity = loads::quantity(component);
+        Self { event, quantity, range: [-range, range], step: range / 10.0, name }
     }
 }
 

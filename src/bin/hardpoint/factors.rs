@@ -12,6 +12,7 @@ use crate::failure::Failure;
 use crate::load;
 use crate::loads::{RigOptions, length};
 use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
+use crate::steering::SteeringOptions;
 
 /// List all design factors of a corner or an axle at one state, or the definitions of all factors.
 ///
@@ -43,9 +44,8 @@ pub struct Factors {
     /// Wheel travel from the design position, + jounce [default: 0]. Both wheels of an axle.
     #[arg(long, allow_negative_numbers = true, value_name = "T")]
     travel: Option<f64>,
-    /// Rack displacement, + along the model's +y [default: 0].
-    #[arg(long, allow_negative_numbers = true, value_name = "R")]
-    rack: Option<f64>,
+    #[command(flatten)]
+    steering: SteeringOptions,
     #[command(flatten)]
     rig: RigOptions,
     /// Whose definitions to follow where programs differ.
@@ -82,11 +82,7 @@ impl Factors {
 
     fn suspension(&self, model: &Model, path: &Path, output: &Output) -> Result<(), Failure> {
         let travel = length("--travel", self.travel, model.units)?;
-        let rack = length("--rack", self.rack, model.units)?;
-        if rack != 0.0 && !model.steers() {
-            let message = "this suspension has no rack; leave out --rack";
-            return Err(Failure::Usage(message.into()));
-        }
+        let rack = self.steering.rack(model)?;
         let rig = |error| Failure::Rig(path.display().to_string(), Box::new(error));
         let poses = if self.axle {
             self.axle(model, travel, rack, rig)?.to_vec()

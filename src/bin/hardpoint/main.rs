@@ -12,6 +12,7 @@ mod progress;
 mod report;
 mod rig;
 mod settle;
+mod steering;
 mod sweep;
 
 use std::path::Path;
@@ -71,7 +72,7 @@ fn main() -> ExitCode {
 fn load(path: &Path, side: Option<SideName>) -> Result<Document, Failure> {
     Ok(match (Document::load(path)?, side) {
         (Document::Suspension(model), Some(side)) if Side::from(side) != model.side => {
-            Document::Suspension(model.mirrored())
+            Document::Suspension(model.other_side())
         }
         (Document::Mechanism(_), Some(_)) => {
             return Err(Failure::Usage(

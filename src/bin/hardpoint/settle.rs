@@ -6,10 +6,11 @@ use clap::Args;
 use hardpoint::factors::{Convention, Factor, basic};
 use hardpoint::mechanism::DriverId;
 use hardpoint::model::{
-    Axes, Chassis, Document, MechanismModel, Model, Quantity, Units, WheelSupport,
+    Axes, Chassis, Document, MechanismModel, Model, Quantity, Side, Units, WheelSupport,
 };
+use hardpoint::relation::Coordinates;
 use hardpoint::report::{SettleReport, SettleRow};
-use hardpoint::rig::{Channel, Corner, RigError, Stand};
+use hardpoint::rig::{Axle, Channel, Corner, Pose, RigError, Stand};
 use hardpoint::solve::dynamics::{
     Dynamics, DynamicsFailure, Integrator, SettlePlan, Start, StepSize, Trajectory,
 };
@@ -39,10 +40,14 @@ Examples:
   hardpoint settle models/quarter-car.toml --seconds 5
   hardpoint settle models/quarter-car.toml --step 0.0005 -o motion.csv
   hardpoint settle models/quarter-car.toml --fixed-chassis --load fz=500
+  hardpoint settle models/sedan-axle.toml --axle --load left.fz=500
   hardpoint settle models/squeezer.toml --seconds 0.03 --step 1e-5")]
 pub struct Settle {
     /// The model or mechanism file.
     model: PathBuf,
+    /// Put both sides on the rig: the model and its other side.
+    #[arg(long, conflicts_with = "side")]
+    axle: bool,
     /// How long the motion is followed (s).
     #[arg(long, default_value_t = 5.0, allow_negative_numbers = true, value_name = "S")]
     seconds: f64,
@@ -78,12 +83,26 @@ pub struct Settle {
     format: Sheet,
 }
 
+/// Where the wheels are at a state of the mechanism.
+type Poses<'a> = dyn Fn(&[Coordinates<f64>]) -> Vec<Pose<f64>> + 'a;
+
 /// What the columns of a motion are.
 struct Recorder<'a> {
     units: Units,
     axes: Axes,
-    corner: Option<&'a Corner>,
+    /// The sides of the wheels, none of a mechanism.
+    sides: &'a [Side],
+    poses: &'a Poses<'a>,
     channels: &'a [Channel],
+}
+
+/// A suspension on the rig with its equilibrium.
+struct Specimen<'a> {
+    stand: &'a Stand,
+    /// The drivers of the heights of the wheels.
+    released: &'a [DriverId],
+    equilibrium: Result<StaticReport, StaticFailure>,
+    title: String,
 }
 
 impl Settle {
@@ -113,48 +132,92 @@ impl Settle {
                 "--release names drivers of a mechanism file; a suspension has none".into(),
             ));
         }
-        let slides = model.is_quarter_car() && !self.fixed_chassis;
+        let slides = model.is_quarter_car() && !self.fixed_chassis && !self.axle;
         let chassis = if slides { Chassis::Slide } else { Chassis::Fixed };
         let setup = self.rig.setup(WheelSupport::Free, chassis);
+        let axes = model.axes.name();
+        if self.axle {
+            let loads = self.rig.axle_loads(model)?;
+            let mut axle = Axle::with_loads(model, &setup, self.rig.point())
+                .map_err(|error| self.cannot_stand(error))?;
+            axle.set_load(&loads);
+            let specimen = Specimen {
+                equilibrium: axle.rest(),
+                stand: axle.stand(),
+                released: &axle.suspension().sides.map(|part| part.travel),
+                title: format!("{}, axle, {axes} axes", model.name),
+            };
+            let sides = [Side::Left, Side::Right];
+            let recorder = Recorder {
+                units: model.units,
+                axes: model.axes,
+                sides: &sides,
+                poses: &|state| sides.map(|side| axle.pose_at(side, state)).to_vec(),
+                channels: axle.element_channels(),
+            };
+            return self.follow(&specimen, &recorder, output);
+        }
         let load = self.rig.load(model)?;
         let mut corner = Corner::with_loads(model, &setup, self.rig.point())
             .map_err(|error| self.cannot_stand(error))?;
         corner.set_load(&load);
-        let travel = corner.suspension().travel;
-        let equilibrium = corner.rest();
-        let mut dynamics = self.dynamics(corner.stand(), &[travel], model.axes)?;
-        let trajectory = {
-            let channels = corner.element_channels();
-            let (units, axes) = (model.units, model.axes);
-            let recorder = Recorder { units, axes, corner: Some(&corner), channels };
-            self.integrate(&mut dynamics, &recorder, output)?
+        let specimen = Specimen {
+            equilibrium: corner.rest(),
+            stand: corner.stand(),
+            released: &[corner.suspension().travel],
+            title: format!("{}, {} side, {axes} axes", model.name, model.side.name()),
         };
-        let end = corner.pose_at(dynamics.state());
-        let rest = corner.pose_at(corner.equilibrium().state());
+        let recorder = Recorder {
+            units: model.units,
+            axes: model.axes,
+            sides: &[model.side],
+            poses: &|state| vec![corner.pose_at(state)],
+            channels: corner.element_channels(),
+        };
+        self.follow(&specimen, &recorder, output)
+    }
+
+    /// Follows the motion of wheels and compares its end with the equilibrium.
+    fn follow(
+        &self,
+        specimen: &Specimen,
+        recorder: &Recorder,
+        output: &Output,
+    ) -> Result<(), Failure> {
+        let Specimen { stand, released, equilibrium, title } = specimen;
+        let (units, axes) = (recorder.units, recorder.axes);
+        let mut dynamics = self.dynamics(stand, released, axes)?;
+        let trajectory = self.integrate(&mut dynamics, recorder, output)?;
+        let ends = (recorder.poses)(dynamics.state());
+        let rests = (recorder.poses)(stand.state());
         // Travel and rack are what the rig holds in a sweep, no part of the paper's table.
-        let shown = kinematic().filter(|factor| !["travel", "rack"].contains(&factor.name));
-        let rows: Vec<SettleRow> = shown
-            .filter_map(|factor| {
+        let held = ["travel", "rack", "steering_wheel_angle"];
+        let shown: Vec<_> = kinematic().filter(|factor| !held.contains(&factor.name)).collect();
+        let mut rows = vec![];
+        for (end, rest) in ends.iter().zip(&rests) {
+            let side = if ends.len() > 1 { format!("{} ", end.side.name()) } else { String::new() };
+            rows.extend(shown.iter().filter_map(|factor| {
+                let rest = equilibrium.as_ref().ok().map(|_| rest);
                 Some(SettleRow {
-                    title: factor.title.to_owned(),
+                    title: format!("{side}{}", factor.title),
                     quantity: factor.quantity,
-                    dynamic: factor.value(Convention::Iso, &end)?,
-                    quasi_static: equilibrium
-                        .is_ok()
-                        .then(|| factor.value(Convention::Iso, &rest))
-                        .flatten(),
+                    dynamic: factor.value(Convention::Iso, end)?,
+                    quasi_static: rest.and_then(|rest| factor.value(Convention::Iso, rest)),
                 })
-            })
-            .collect();
-        let title =
-            format!("{}, {} side, {} axes", model.name, model.side.name(), model.axes.name());
-        self.tell(&title, (model.units, model.axes), &dynamics, &rows, &equilibrium)?;
-        self.end(trajectory, model.axes)
+            }));
+        }
+        self.tell(title, (units, axes), &dynamics, &rows, equilibrium)?;
+        self.end(trajectory, axes)
     }
 
     fn mechanism(&self, model: &MechanismModel, output: &Output) -> Result<(), Failure> {
         self.rig.refuse()?;
         refuse_fixed_chassis(self.fixed_chassis)?;
+        if self.axle {
+            return Err(Failure::Usage(
+                "--axle belongs to suspensions; this file is a mechanism".into(),
+            ));
+        }
         let released = released(&self.release, model)?;
         let mut stand = Stand::new(model.mechanism.clone(), &released, Axes::Iso8855)
             .map_err(|error| self.cannot_stand(error))?;
@@ -162,7 +225,8 @@ impl Settle {
         let (units, axes) = (model.units, Axes::Iso8855);
         let mut dynamics = self.dynamics(&stand, &released, axes)?;
         let channels: Vec<Channel> = [stand.body_channels(), stand.force_channels()].concat();
-        let recorder = Recorder { units, axes, corner: None, channels: &channels };
+        let recorder =
+            Recorder { units, axes, sides: &[], poses: &|_| vec![], channels: &channels };
         let trajectory = self.integrate(&mut dynamics, &recorder, output)?;
         let (end, rest) = (dynamics.loaded(), stand.equilibrium().loaded());
         let row = |channel: &Channel| SettleRow {
@@ -274,8 +338,11 @@ impl Settle {
 impl Recorder<'_> {
     fn header(&self) -> Vec<String> {
         let mut header = vec!["time_s".to_owned()];
-        if self.corner.is_some() {
-            header.extend(kinematic().map(|factor| factor.column(self.units)));
+        for side in self.sides {
+            let before =
+                if self.sides.len() > 1 { format!("{}_", side.name()) } else { String::new() };
+            let column = |factor: &Factor| format!("{before}{}", factor.column(self.units));
+            header.extend(kinematic().map(column));
         }
         let channel =
             |channel: &Channel| format!("{}_{}", channel.name, channel.quantity.symbol(self.units));
@@ -289,8 +356,7 @@ impl Recorder<'_> {
 
     fn sample(&self, dynamics: &Dynamics) -> Vec<f64> {
         let mut values = vec![];
-        if let Some(corner) = self.corner {
-            let pose = corner.pose_at(dynamics.state());
+        for pose in (self.poses)(dynamics.state()) {
             let value =
                 |factor: &'static Factor| factor.show(self.units, &pose).unwrap_or(f64::NAN);
             values.extend(kinematic().map(value));

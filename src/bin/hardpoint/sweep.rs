@@ -21,6 +21,7 @@ use crate::load;
 use crate::loads::RigOptions;
 use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
 use crate::progress::Progress;
+use crate::steering::{SteerBy, SteeringOptions};
 use over::Over;
 
 /// Move wheels, the rack, the body, a load or a driver through an event, or go through cases of a file,
@@ -49,6 +50,7 @@ Examples:
   hardpoint sweep models/lotus-front.toml --drive contact-patch --from -37.5 --to 37.5 --step 7.5
   hardpoint sweep models/adams-tr-front.toml --rack 5 --from -10 --to 10 --side right
   hardpoint sweep models/double-wishbone.toml --event steer --travel 20 -o steer.csv
+  hardpoint sweep models/subframe-axle.toml --event steer --steer-by wheel --from -360 --to 360 --step 60
   hardpoint sweep models/double-wishbone.toml --columns travel,bump_steer,rc_height,anti_dive
   hardpoint sweep models/quarter-car.toml --reactions -o forces.csv
   hardpoint sweep models/bushed-double-wishbone.toml --event load --vary fx --from -2000 --to 2000 --step 500
@@ -87,7 +89,7 @@ pub struct Sweep {
         long,
         value_name = "FILE",
         conflicts_with_all = ["event", "vary", "wheels", "from", "to", "step", "over", "vertical",
-            "wheel_force", "driver"]
+            "wheel_force", "driver", "steer_by"]
     )]
     cases: Option<PathBuf>,
     #[command(flatten)]
@@ -97,18 +99,21 @@ pub struct Sweep {
     /// rack from −40 mm to 40 mm in steps of 20 mm].
     #[arg(long, value_name = "NAME=A:B:S", allow_hyphen_values = true)]
     over: Option<Over>,
-    /// First value [default: −130 mm of travel, −40 mm of the rack, −3°, −1000 N, −100 N·m].
+    /// First value [default: −130 mm of travel, −40 mm of the rack or its limit, −3°, −1000 N, −100 N·m].
     #[arg(long, allow_negative_numbers = true, value_name = "A")]
     from: Option<f64>,
-    /// Last value [default: 130 mm of travel, 40 mm of the rack, 3°, 1000 N, 100 N·m].
+    /// Last value [default: 130 mm of travel, 40 mm of the rack or its limit, 3°, 1000 N, 100 N·m].
     #[arg(long, allow_negative_numbers = true, value_name = "B")]
     to: Option<f64>,
-    /// Distance of the states [default: 10 mm of travel, 5 mm of the rack, 0.5°, a tenth of the load].
+    /// Distance of the states [default: 10 mm of travel, 5 mm of the rack, 30° of the steering wheel, 0.5°
+    /// of roll, a tenth of the load].
     #[arg(long, allow_negative_numbers = true, value_name = "S")]
     step: Option<f64>,
-    /// Rack displacement that is held [default: 0].
-    #[arg(long, allow_negative_numbers = true, value_name = "R")]
-    rack: Option<f64>,
+    #[command(flatten)]
+    steering: SteeringOptions,
+    /// What --from, --to and --step of a steer event are [default: rack].
+    #[arg(long, value_enum)]
+    steer_by: Option<SteerBy>,
     /// Wheel travel that is held [default: 0; a load event leaves the wheel free, on its tyre]. In an
     /// opposite event it is the mean of both wheels; where forces hold the wheels, they are those at
     /// this travel.
@@ -185,7 +190,7 @@ impl Sweep {
         let support = if free { WheelSupport::Free } else { WheelSupport::Held };
         let mut setup = self.rig.setup(support, Chassis::Fixed);
         let at = self.rig.point();
-        let (quantity, mut plan, name) = self.plan(event, model.units, model.steers())?;
+        let (quantity, mut plan, name) = self.plan(event, model)?;
         let plans = self.plans(event, &plan, model)?;
         let sweep = if self.axle {
             let loads = self.rig.axle_loads(model)?;

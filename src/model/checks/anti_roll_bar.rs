@@ -32,18 +32,8 @@ impl Geometry<'_> {
                 .also(self.span(bar.pivot), "the axis goes through this point, along y")
                 .help("correct one of the two points");
         }
-        let side = self.model.side;
         for point in [bar.pivot, arm_end, link_end] {
-            if self.position(point)[1] * side.sign() < -NEAR {
-                let message = format!(
-                    "the point `{}` of the anti-roll bar lies across the centre line",
-                    self.name(point)
-                );
-                report
-                    .mistake(self.span(point), message, format!("on the {}", side.other().name()))
-                    .also(&self.side, "the model's side")
-                    .help(format!("check the sign of y: {}", side.y_rule(self.model.axes)));
-            }
+            self.check_own_side(point, "the anti-roll bar", report);
         }
     }
 }

@@ -14,7 +14,8 @@ impl Geometry<'_> {
                 JointKind::Revolute { axis, .. }
                 | JointKind::Translational { axis, .. }
                 | JointKind::Cylindrical { axis, .. }
-                | JointKind::InLine { axis, .. } => (axis, "has no axis"),
+                | JointKind::InLine { axis, .. }
+                | JointKind::Perpendicular { axis, .. } => (axis, "has no axis"),
                 JointKind::InPlane { normal, .. } => (normal, "has no plane"),
                 JointKind::Universal { shaft, .. } => (shaft, "has a shaft of zero length"),
                 JointKind::Link { on_i, on_j } => {

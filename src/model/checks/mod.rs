@@ -5,20 +5,17 @@ mod axes;
 mod degenerate;
 mod loads;
 mod plausibility;
+mod subframe;
 
 use std::ops::Range;
 
 pub(super) use loads::note;
 
-use super::Model;
 use super::diagnostics::Report;
 use super::loads_file::LoadPlaces;
+use super::{Model, NEAR};
 use crate::mechanism::PointId;
 use crate::vector::{norm, sub};
-
-/// Two points nearer than this (m) are one point, and three points whose distance from a
-/// line is less are on it: a tenth of a millimetre is below any manufacturing tolerance.
-const NEAR: f64 = 1e-4;
 
 /// A model with the places of its values in the text.
 pub(super) struct Geometry<'a> {
@@ -49,6 +46,7 @@ pub(super) fn check(geometry: &Geometry, report: &mut Report) {
     geometry.check_spin_axis(report);
     geometry.check_loads(report);
     geometry.check_anti_roll_bar(report);
+    geometry.check_subframe(report);
 }
 
 impl Geometry<'_> {

@@ -21,6 +21,7 @@ const KINDS: &[&str] = &[
     "link",
     "in-plane",
     "in-line",
+    "perpendicular",
 ];
 
 impl Parts<'_> {
@@ -86,7 +87,8 @@ impl Parts<'_> {
                     "revolute" => JointKind::Revolute { at, axis },
                     "translational" => JointKind::Translational { at, axis },
                     "cylindrical" => JointKind::Cylindrical { at, axis },
-                    _ => JointKind::InLine { at, axis },
+                    "in-line" => JointKind::InLine { at, axis },
+                    _ => JointKind::Perpendicular { at, axis },
                 })
             }
         }
@@ -113,7 +115,8 @@ pub(crate) fn joint_points(joints: &[Joint], body: BodyId) -> Vec<PointId> {
             | JointKind::Translational { at, .. }
             | JointKind::Fixed { at }
             | JointKind::InPlane { at, .. }
-            | JointKind::InLine { at, .. } => vec![at],
+            | JointKind::InLine { at, .. }
+            | JointKind::Perpendicular { at, .. } => vec![at],
         });
     }
     points.sort_unstable();

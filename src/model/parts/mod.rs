@@ -71,7 +71,7 @@ impl Parts<'_> {
     }
 
     /// Numbers of one kind in SI.
-    fn all_in_si<const N: usize>(
+    pub(crate) fn all_in_si<const N: usize>(
         &self,
         numbers: &Spanned<[f64; N]>,
         quantity: Quantity,

@@ -7,7 +7,7 @@ use hardpoint::model::{Chassis, LoadCases, Model, Quantity, WheelSupport};
 use hardpoint::report::SweepReport;
 use hardpoint::rig::{self, Held, Specimen, Target};
 
-use super::{Sweep, usage};
+use super::{Sweep, needs_compliance};
 use crate::failure::Failure;
 use crate::loads::length;
 use crate::output::Output;
@@ -22,14 +22,11 @@ impl Sweep {
         output: &Output,
     ) -> Result<(), Failure> {
         let cases = LoadCases::load(file, model, self.axle)?;
-        if self.rack.is_some() && !model.steers() {
-            return usage("this suspension has no rack; leave out --rack");
-        }
         let [load, right_load] =
             if self.axle { self.rig.axle_loads(model)? } else { [self.rig.load(model)?; 2] };
         let held = Held {
             travel: length("--travel", self.travel, model.units)?,
-            rack: length("--rack", self.rack, model.units)?,
+            rack: self.steering.rack(model)?,
             load,
             right_load: Some(right_load),
             ..Held::default()
@@ -39,10 +36,15 @@ impl Sweep {
         let support = if held_by_rig { WheelSupport::Held } else { WheelSupport::Free };
         let (setup, at) = (self.rig.setup(support, Chassis::Fixed), self.rig.point());
         let targets = Target::of_cases(&cases, &held);
+        let measures = needs_compliance(columns);
         let sweep = if self.axle {
-            self.visit(&mut self.axle(model, &setup, at)?, &targets, model)
+            let mut axle = self.axle(model, &setup, at)?;
+            axle.measure_compliance(measures);
+            self.visit(&mut axle, &targets, model)
         } else {
-            self.visit(&mut self.corner(model, &setup, at)?, &targets, model)
+            let mut corner = self.corner(model, &setup, at)?;
+            corner.measure_compliance(measures);
+            self.visit(&mut corner, &targets, model)
         };
         let report = SweepReport {
             event: "cases",

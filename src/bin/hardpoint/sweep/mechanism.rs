@@ -17,7 +17,7 @@ impl Sweep {
         let suspension = [
             (self.event.is_some(), "--event"),
             (self.vary.is_some(), "--vary"),
-            (self.rack.is_some(), "--rack"),
+            (self.steer_by.is_some(), "--steer-by"),
             (self.travel.is_some(), "--travel"),
             (self.axle, "--axle"),
             (self.wheels.is_some(), "--wheels"),
@@ -29,7 +29,7 @@ impl Sweep {
         if let Some((_, option)) = suspension.iter().find(|(given, _)| *given) {
             return usage(format!("{option} belongs to suspensions; this file is a mechanism"));
         }
-        if let Some(option) = self.vertical.given() {
+        if let Some(option) = self.vertical.given().or(self.steering.given()) {
             return usage(format!("{option} belongs to suspensions; this file is a mechanism"));
         }
         self.rig.refuse()?;

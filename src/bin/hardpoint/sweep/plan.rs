@@ -1,13 +1,14 @@
 //! What a suspension goes through: the event of the options with its values.
 
 use hardpoint::model::{Model, Quantity, Units};
-use hardpoint::rig::{Held, SweepPlan};
+use hardpoint::rig::{Event, Held, SweepPlan};
 
 use super::over::Over;
 use super::{Sweep, usage};
 use crate::events::{Course, EventName};
 use crate::failure::Failure;
 use crate::loads::FARTHEST;
+use crate::steering::{SteerBy, rack_per_radian};
 
 /// More states than this are a mistake in the step.
 const MOST_STATES: f64 = 1e6;
@@ -23,7 +24,6 @@ impl Sweep {
             ("--from", self.from),
             ("--to", self.to),
             ("--step", self.step),
-            ("--rack", self.rack),
             ("--travel", self.travel),
         ];
         for (name, value) in options {
@@ -49,12 +49,13 @@ impl Sweep {
     pub(super) fn plan(
         &self,
         event: EventName,
-        units: Units,
-        steers: bool,
+        model: &Model,
     ) -> Result<(Quantity, SweepPlan, String), Failure> {
-        if self.rack.is_some_and(|rack| rack != 0.0) && !steers {
-            return usage("this suspension has no rack; leave out --rack");
+        let (units, steers) = (model.units, model.steers());
+        if self.steer_by.is_some() && event != EventName::Steer {
+            return usage("--steer-by belongs to --event steer");
         }
+        let rack = self.steering.rack(model)?;
         match event {
             EventName::Travel | EventName::Parallel | EventName::Envelope
                 if self.travel.is_some() && !self.vertical.is_force() =>
@@ -64,7 +65,7 @@ impl Sweep {
                      and say the range of travel with --from and --to",
                 );
             }
-            EventName::Steer if self.rack.is_some() => {
+            EventName::Steer if self.steering.given().is_some() => {
                 return usage(
                     "a steer event moves the rack; hold the travel with --travel, \
                      and say the range of the rack with --from and --to",
@@ -75,10 +76,11 @@ impl Sweep {
             }
             _ => {}
         }
+        let by = self.steer_by.unwrap_or(SteerBy::Rack);
         let course = if self.axle {
-            Course::of_axle(event, self.vary.as_deref(), self.wheels)?
+            Course::of_axle(event, model, self.vary.as_deref(), by, self.wheels)?
         } else {
-            Course::of_corner(event, self.vary.as_deref())?
+            Course::of_corner(event, model, self.vary.as_deref(), by)?
         };
         let ranged = self.from.is_some() && self.to.is_some();
         let Course { event, quantity, range, step, name } = course.held(&self.vertical, ranged)?;
@@ -86,16 +88,23 @@ impl Sweep {
         let value = |value: Option<f64>, default: f64| {
             value.map_or(default, |value| quantity.to_si(units, value))
         };
-        let length = |value: Option<f64>| value.map_or(0.0, |value| units.length.to_metres(value));
-        let plan = SweepPlan {
+        let travel = self.travel.map_or(0.0, |travel| units.length.to_metres(travel));
+        let mut plan = SweepPlan {
             event,
-            from: value(self.from, -range),
-            to: value(self.to, range),
+            from: value(self.from, range[0]),
+            to: value(self.to, range[1]),
             step: value(self.step, step),
-            held: Held { travel: length(self.travel), rack: length(self.rack), ..Held::default() },
+            held: Held { travel, rack, ..Held::default() },
         };
-        if quantity == Quantity::Angle && plan.from.abs().max(plan.to.abs()) > MOST_ROLL {
+        if event == Event::Roll && plan.from.abs().max(plan.to.abs()) > MOST_ROLL {
             return usage("a body that rolls further than 90° lies on its side");
+        }
+        if event == Event::Steer && by == SteerBy::Wheel {
+            // The rig drives the rack, so a steering wheel is turned by moving that.
+            let per_radian = rack_per_radian(model)?;
+            for value in [&mut plan.from, &mut plan.to, &mut plan.step] {
+                *value *= per_radian;
+            }
         }
         check_states(&plan)?;
         Ok((quantity, plan, name))
