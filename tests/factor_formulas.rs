@@ -90,6 +90,7 @@ fn replaced<S>(pose: &Pose<f64>, new: &mut impl FnMut(f64) -> S) -> Pose<S> {
 fn derivatives_of_all_formulas_are_exact() {
     let mut quarter = model("quarter-car");
     quarter.vehicle = model("double-wishbone").vehicle;
+    quarter.vehicle.rack_per_radian = Some(-0.008);
     let mut rear = quarter.mirrored();
     rear.vehicle.axle = Some(Axle::Rear);
     rear.vehicle.brakes = Brakes::Inboard;
