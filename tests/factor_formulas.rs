@@ -128,6 +128,7 @@ fn replaced<S: Scalar>(pose: &Pose<f64>, new: &mut impl FnMut(f64) -> S) -> Pose
 fn derivatives_of_all_formulas_are_exact() {
     let mut front = model("sedan-axle");
     front.vehicle = model("double-wishbone").vehicle;
+    front.vehicle.rack_per_radian = Some(-0.008);
     front.vehicle.mass = Some(1600.0);
     front.vehicle.sprung_mass = Some(380.0);
     front.vehicle.unsprung_mass = Some(45.0);

@@ -27,7 +27,7 @@ pub(super) const DRIVES: &[Factor] = &[
         title: "rack displacement",
         symbol: "r",
         sign: "+ along the model's +y",
-        formula: "displacement from design of what is driven: the rack, or the driven end of [steering] with stiffness",
+        formula: "displacement from design of the rack, or of the driven end of a soft steering gear",
         source: "Adams/Car",
         value: formula!(|pose| Some(pose.rack)),
         scope: Scope::Axle,

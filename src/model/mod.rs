@@ -141,7 +141,8 @@ impl Model {
         &self.loads.forces
     }
 
-    /// The bushings of `[bushings]`, which stand for joints.
+    /// The bushings of `[bushings]`, which stand for joints, and the elastic elements of fittings, which do so,
+    /// too.
     pub fn bushings(&self) -> &[JointBushing] {
         &self.loads.bushings
     }

@@ -26,6 +26,15 @@ impl Default for Ranges {
     }
 }
 
+impl Ranges {
+    /// The default, the rack within the limits of the model.
+    pub fn of(model: &Model) -> Self {
+        let limits = model.steering.and_then(|steering| steering.limits);
+        let nearer = |[a, b]: [f64; 2]| a.abs().min(b.abs());
+        Self { rack: limits.map_or(Self::default().rack, nearer), ..Self::default() }
+    }
+}
+
 /// The parts of events from one end to the middle.
 const PARTS: f64 = 8.0;
 

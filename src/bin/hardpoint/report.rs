@@ -41,7 +41,7 @@ pub struct Report {
     /// Distance of the states [default: a tenth].
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     roll_step: Option<f64>,
-    /// Displacement of the rack to both sides [default: 40 mm].
+    /// Displacement of the rack to both sides [default: 40 mm, or the nearer limit of the model].
     #[arg(long, value_name = "R", allow_negative_numbers = true)]
     rack: Option<f64>,
     /// Distance of the states [default: an eighth].
@@ -101,7 +101,7 @@ impl Report {
     }
 
     fn stages(&self, model: &Model) -> Result<Vec<Stage>, Failure> {
-        let mut stages = standard(model, &Ranges::default());
+        let mut stages = standard(model, &Ranges::of(model));
         stages.retain(|stage| ["parallel", "roll", "steer"].contains(&stage.name));
         for stage in &mut stages {
             let (range, step, name, quantity) = match stage.name {

@@ -55,7 +55,7 @@ pub struct Rig {
     /// Roll to both sides [default: 3°].
     #[arg(long, value_name = "A", allow_negative_numbers = true)]
     roll: Option<f64>,
-    /// Displacement of the rack to both sides [default: 40 mm].
+    /// Displacement of the rack to both sides [default: 40 mm, or the nearer limit of the model].
     #[arg(long, value_name = "R", allow_negative_numbers = true)]
     rack: Option<f64>,
     /// Forces to both sides [default: 2000 N].
@@ -127,7 +127,7 @@ impl Rig {
     }
 
     fn ranges(&self, model: &Model) -> Result<Ranges, Failure> {
-        let default = Ranges::default();
+        let default = Ranges::of(model);
         let range = |name: &str, value: Option<f64>, quantity: Quantity, default: f64| {
             let Some(value) = value else { return Ok(default) };
             if value.is_finite() && value > 0.0 {
