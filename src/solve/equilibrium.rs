@@ -32,7 +32,8 @@ pub struct Equilibrium {
     pub(super) released: Vec<DriverId>,
     pub(super) driver_values: Vec<f64>,
     undetermined: Vec<usize>,
-    design: Vec<f64>,
+    // The parameters with all drivers at zero.
+    base: Vec<f64>,
     dh: Vec<f64>,
     tangent: Vec<f64>,
     phi_change: Vec<f64>,
@@ -94,7 +95,7 @@ impl Equilibrium {
             force_change: vec![0.0; unknowns],
             released: released.to_vec(),
             driver_values: drivers.map(|driver| system.driver_value(driver)).collect(),
-            design: expansion.parameters(&system.mechanism().positions()),
+            base: system.base().to_vec(),
             mechanism: system.mechanism().clone(),
             expansion: expansion.clone(),
             terms: system.terms().clone(),
@@ -144,7 +145,7 @@ impl Equilibrium {
             force_change: self.force_change.clone(),
             released: [&self.released, drivers].concat(),
             driver_values: self.driver_values.clone(),
-            design: self.design.clone(),
+            base: self.base.clone(),
             mechanism: self.mechanism.clone(),
             expansion: self.expansion.clone(),
             terms: self.terms.clone(),
@@ -219,9 +220,9 @@ impl Equilibrium {
 
     /// Sets the value (m or rad, from the design position) of a driver for the next solution.
     pub fn set_driver(&mut self, driver: DriverId, value: f64) {
-        let slot = self.expansion.driver_slot(driver);
         self.driver_values[driver.index()] = value;
-        self.problem.h[slot] = self.design[slot] + value;
+        let slots = self.expansion.driver_slots();
+        slots.set(&self.base, &self.driver_values, &mut self.problem.h);
     }
 
     /// Solves for coordinates and multipliers by Newton's method.
@@ -247,13 +248,19 @@ impl Equilibrium {
         problem.kkt.fill(&problem.state, &problem.h, &problem.lambda, &mut problem.phi);
         self.linear.factorise(problem.kkt.values())?;
         self.dh.fill(0.0);
-        self.dh[self.expansion.driver_slot(driver)] = 1.0;
+        self.expansion.driver_slots().add([(driver, 1.0)], &mut self.dh);
         problem.kkt.terms().design_products(
             &problem.state,
             &problem.h,
             &self.dh,
             Some(&problem.lambda),
             &mut self.phi_change,
+            &mut self.force_change,
+        );
+        problem.kkt.elements_mut().add_design_force(
+            &problem.state,
+            &problem.h,
+            &self.dh,
             &mut self.force_change,
         );
         let (force, phi) = self.tangent.split_at_mut(problem.kkt.unknowns());
