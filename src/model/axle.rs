@@ -1,5 +1,6 @@
 //! Both sides of a vehicle in one mechanism.
 
+use super::adjusters::InMechanism;
 use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
 use super::suspension::{SpringLine, Wheel};
 use super::{AntiRollBar, Model, Side, SteerAxis, mean};
@@ -21,6 +22,8 @@ pub struct AxleSuspension {
     /// Displacement of the rack (m), positive along the y axis of the model's own axes;
     /// `None` for an axle that does not steer.
     pub rack: Option<DriverId>,
+    /// The adjusters of the left and the right side, in the order of the models.
+    pub adjusters: [Vec<DriverId>; 2],
     /// Which height the travels prescribe.
     pub drive: Drive,
 }
@@ -91,7 +94,12 @@ impl Model {
         {
             self.couple_arms(&mut mechanism, on_left, on_right)?;
         }
-        Ok(AxleSuspension { mechanism, sides, rack, drive: setup.drive })
+        let kinematic = setup.kinematic;
+        let adjusters = [
+            left.add_adjusters(&mut mechanism, kinematic)?,
+            right.add_adjusters(&mut mechanism, kinematic)?,
+        ];
+        Ok(AxleSuspension { mechanism, sides, rack, adjusters, drive: setup.drive })
     }
 
     /// Whether anything but the tyres acts on the bodies of the axle.
@@ -284,7 +292,7 @@ impl<'a> Half<'a> {
         let kind = setup.drive.of(&wheel);
         let travel =
             mechanism.add_driver(&self.name("travel"), BodyId::GROUND, wheel.body, kind)?;
-        let tyre = match (setup.support, model.tyre_force()) {
+        let tyre = match (setup.support, model.tyre_force(setup.chassis)) {
             (WheelSupport::Free, Some(tyre)) => {
                 Some(self.add_force(mechanism, &self.name(&tyre.name), &tyre)?)
             }
@@ -302,6 +310,20 @@ impl<'a> Half<'a> {
             travel,
             tyre,
         })
+    }
+
+    fn add_adjusters(
+        &self,
+        mechanism: &mut Mechanism,
+        kinematic: bool,
+    ) -> Result<Vec<DriverId>, MechanismError> {
+        let known = InMechanism {
+            name: &|name| self.name(name),
+            body: &|body| self.body(body),
+            point: &|point| self.point(point),
+            kinematic,
+        };
+        self.model.add_adjusters(mechanism, &known)
     }
 
     /// Adds the arm of the anti-roll bar, which turns on the chassis, and its drop link.

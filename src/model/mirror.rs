@@ -1,6 +1,7 @@
 //! The same suspension on the other side of the vehicle.
 
 use super::Model;
+use super::adjusters::Change;
 use crate::mechanism::{Bushing, Direction, Force, ForceKind, MassProperties};
 
 impl Model {
@@ -15,6 +16,11 @@ impl Model {
         }
         for mass in other.loads.masses.iter_mut().flatten() {
             *mass = mirrored_mass(mass);
+        }
+        for adjuster in &mut other.adjusters {
+            if let Change::Place { along: Direction::Fixed(along), .. } = &mut adjuster.change {
+                *along = mirrored(*along);
+            }
         }
         let bushings = other.loads.bushings.iter_mut().map(|bushing| &mut bushing.force);
         for force in other.loads.forces.iter_mut().chain(bushings) {
