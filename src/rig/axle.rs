@@ -1,5 +1,6 @@
 //! An axle on the rig.
 
+use super::adjust::{self, AdjustError, Adjustment};
 use super::channel::Channel;
 use super::corner::RigError;
 use super::load::{Load, LoadPoint, WheelLoads};
@@ -24,13 +25,15 @@ pub struct Axle {
     load: [Load; 2],
     own_forces: usize,
     elements: Vec<Channel>,
+    adjustments: Vec<Adjustment>,
 }
 
 impl Axle {
-    /// Puts a model and its mirror image on the rig at their design position.
+    /// Puts a model and its mirror image on the rig, in the static state that the model asks for or at the
+    /// design position. Travel and all changes count from there.
     ///
     /// # Errors
-    /// [`RigError`] for geometry without meaning or a wheel that cannot move.
+    /// [`RigError`] for geometry without meaning, a wheel that cannot move or a static state out of reach.
     pub fn new(model: &Model, setup: &Setup) -> Result<Self, RigError> {
         Self::with_loads(model, setup, LoadPoint::default())
     }
@@ -40,7 +43,7 @@ impl Axle {
     /// # Errors
     /// As for [`Self::new`].
     pub fn with_loads(model: &Model, setup: &Setup, at: LoadPoint) -> Result<Self, RigError> {
-        Self::of(model.axle(setup)?, model, setup, at)
+        Self::with_sides(model, &model.mirrored(), setup, at)
     }
 
     /// As [`Self::with_loads`], with another model for the other side.
@@ -53,15 +56,14 @@ impl Axle {
         setup: &Setup,
         at: LoadPoint,
     ) -> Result<Self, RigError> {
-        Self::of(model.axle_with(other, setup)?, model, setup, at)
-    }
-
-    fn of(
-        mut suspension: AxleSuspension,
-        model: &Model,
-        setup: &Setup,
-        at: LoadPoint,
-    ) -> Result<Self, RigError> {
+        let suspension = |setup: &Setup| Ok(model.axle_with(other, setup)?);
+        let models = match model.side {
+            Side::Left => [model, other],
+            Side::Right => [other, model],
+        };
+        let set = adjust::axle(models, setup, suspension)?;
+        let mut suspension = suspension(setup)?;
+        let homes = [0, 1].map(|k| set.as_ref().map(|set| set[k].home));
         let axes = model.axes;
         let own_forces = suspension.mechanism.forces().len();
         let loads = match model.axle_has_forces() {
@@ -69,7 +71,8 @@ impl Axle {
                 let AxleSuspension { mechanism, sides, .. } = &mut suspension;
                 let mut add = |part: &AxleSide| {
                     let prefix = format!("{} ", part.side.name());
-                    WheelLoads::add(mechanism, &part.wheel, &prefix, at, axes)
+                    let home = homes[part.side.index()].as_ref();
+                    WheelLoads::add(mechanism, &part.wheel, &prefix, at, home, axes)
                 };
                 Some([add(&sides[0])?, add(&sides[1])?])
             }
@@ -79,14 +82,24 @@ impl Axle {
             WheelSupport::Held => vec![],
             WheelSupport::Free => suspension.sides.map(|part| part.travel).to_vec(),
         };
-        let stand = Stand::new(suspension.mechanism.clone(), &released, axes)?;
+        let mut stand = Stand::new(suspension.mechanism.clone(), &released, axes)?;
+        if let Some(set) = &set {
+            let sides = set.iter().zip(&suspension.sides).zip(&suspension.adjusters);
+            let drivers = sides.flat_map(|((set, part), by)| set.drivers(by, part.travel));
+            let drivers: Vec<_> = drivers.collect();
+            stand.start_from(&drivers).map_err(|stop| AdjustError::Start(Box::new(stop)))?;
+        }
         let elements = match loads {
             Some(_) => stand.model_channels(own_forces, &suspension.sides.map(|part| part.travel)),
             None => vec![],
         };
         let rack = suspension.rack;
         Ok(Self {
-            stations: suspension.sides.map(|part| Station::of_axle(&part, rack, model, setup)),
+            stations: suspension.sides.map(|part| {
+                let station = Station::of_axle(&part, rack, model, setup);
+                station.on(&stand, homes[part.side.index()])
+            }),
+            adjustments: set.into_iter().flatten().flat_map(|set| set.adjustments).collect(),
             load: [Load::default(); 2],
             elements,
             suspension,
@@ -109,6 +122,11 @@ impl Axle {
         motions.filter(move |motion| {
             kinematic && self.stations.iter().any(|station| station.is_moved(motion))
         })
+    }
+
+    /// What the adjusters are set to; none where the model asks for no static state.
+    pub fn adjustments(&self) -> &[Adjustment] {
+        &self.adjustments
     }
 
     /// The suspension.
@@ -149,8 +167,8 @@ impl Axle {
         }
     }
 
-    /// Moves the wheels to travels and the rack to a displacement (m, all from the design
-    /// position) from where they are. An axle without a rack ignores `rack`, wheels that stand
+    /// Moves the wheels to travels and the rack to a displacement (m, all from the static
+    /// state or the design position) from where they are. An axle without a rack ignores `rack`, wheels that stand
     /// on their tyres ignore `travel`.
     ///
     /// # Errors
@@ -170,7 +188,7 @@ impl Axle {
         self.stand.rest()
     }
 
-    /// Returns to the design position. The loads on the wheels stay.
+    /// Returns to the static state or the design position. The loads on the wheels stay.
     pub fn reset(&mut self) {
         self.stand.reset();
     }

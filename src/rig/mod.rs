@@ -4,6 +4,7 @@
 //! from side to side; [`Sweep`] does so along an event and keeps what was reached.
 //! [`Compliance`] says how wheels that the rig lets go give way to loads.
 
+mod adjust;
 mod axle;
 mod channel;
 mod compliance;
@@ -15,6 +16,7 @@ mod stand;
 mod station;
 mod sweep;
 
+pub use adjust::{AdjustError, Adjustment, OutOfReach};
 pub use axle::Axle;
 pub use channel::Channel;
 pub use compliance::Compliance;

@@ -1,5 +1,6 @@
 //! One wheel on the rig with all that belongs to it.
 
+use super::adjust::Home;
 use super::line::{Line, Wheel};
 use super::pose::{Design, Motion, Motions, Pose, WheelLoad};
 use super::stand::Stand;
@@ -28,6 +29,10 @@ pub(super) struct Station {
     support: WheelSupport,
     vehicle: Vehicle,
     axes: Axes,
+    /// The static state, where the model asks for one.
+    home: Option<Home>,
+    /// Where the parameters are that say where the steer axis meets its bodies, where adjusters change them.
+    adjusted: [Option<usize>; 2],
 }
 
 impl Station {
@@ -46,6 +51,8 @@ impl Station {
             support: setup.support,
             vehicle: model.vehicle,
             axes: model.axes,
+            home: None,
+            adjusted: [None; 2],
         }
     }
 
@@ -64,7 +71,17 @@ impl Station {
             support: setup.support,
             vehicle: model.vehicle,
             axes: model.axes,
+            home: None,
+            adjusted: [None; 2],
         }
+    }
+
+    /// The same on a stand, with changes counted from a static state where there is one.
+    pub fn on(self, stand: &Stand, home: Option<Home>) -> Self {
+        let expansion = stand.system().expansion();
+        let place = |(point, body)| expansion.adjusted_place(body, point);
+        let adjusted = self.steer_axis.map(|axis| [axis.lower, axis.upper].map(place));
+        Self { home, adjusted: adjusted.unwrap_or_default(), ..self }
     }
 
     /// Whether a motion moves the wheel, its steer axis or its spring.
@@ -89,6 +106,7 @@ impl Station {
         let point = |(point, body)| point_position(mechanism, state, body, point);
         let driven = |driver| stand.driver_value(driver);
         let design = self.design(mechanism, state);
+        let adjusted = self.adjusted_places(stand);
         let disc = Wheel {
             center: point((wheel.center, wheel.body)),
             spin: rotation.map(|row| dot(row, wheel.spin_axis)),
@@ -105,8 +123,11 @@ impl Station {
             },
             rack: self.rack.map_or(0.0, driven),
             wheel: disc,
-            rotation,
-            steer_axis: steer_axis.map(|axis| Line::through([axis.lower, axis.upper].map(point))),
+            rotation: self.home.map_or(rotation, |home| relative(rotation, home.rotation)),
+            steer_axis: steer_axis.map(|axis| {
+                let ends = [(axis.lower, adjusted[0]), (axis.upper, adjusted[1])];
+                Line::through(ends.map(|(end, adjusted)| place(mechanism, state, end, adjusted)))
+            }),
             spring: spring.map(|spring| Line::through(spring.ends.map(point))),
             design,
             motions: None,
@@ -117,16 +138,33 @@ impl Station {
         }
     }
 
-    /// The design position, carried along with the chassis of a state.
+    /// The design position or the static state, carried along with the chassis of a state.
     fn design(&self, mechanism: &Mechanism, state: &[Coordinates<f64>]) -> Design<f64> {
         let Self { wheel, spring, chassis, .. } = self;
         let origin = mechanism.bodies()[chassis.index()].origin;
         let sunk = state[chassis.index()][2] - origin[2];
-        let at = |point: PointId| add(mechanism.points()[point.index()].position, [0.0, 0.0, sunk]);
+        let carried = |place| add(place, [0.0, 0.0, sunk]);
+        let (wheel, spring) = match self.home {
+            Some(home) => (home.wheel, home.spring),
+            None => {
+                let at = |point: PointId| mechanism.points()[point.index()].position;
+                let center = at(wheel.center);
+                let ends = spring.map(|spring| spring.ends.map(|(point, _)| at(point)));
+                let wheel = Wheel { center, spin: wheel.spin_axis, radius: wheel.radius };
+                (wheel, ends.map(Line::through))
+            }
+        };
+        let along = |line: Line<f64>| Line { from: carried(line.from), to: carried(line.to) };
         Design {
-            wheel: Wheel { center: at(wheel.center), spin: wheel.spin_axis, radius: wheel.radius },
-            spring: spring.map(|spring| Line::through(spring.ends.map(|(point, _)| at(point)))),
+            wheel: Wheel { center: carried(wheel.center), ..wheel },
+            spring: spring.map(along),
         }
+    }
+
+    /// Where the ends of the steer axis are on their bodies, in body axes, where adjusters move them.
+    fn adjusted_places(&self, stand: &Stand) -> [Option<[f64; 3]>; 2] {
+        let h = stand.equilibrium().parameters();
+        self.adjusted.map(|first| first.map(|first| [h[first], h[first + 1], h[first + 2]]))
     }
 
     /// How the parts move with the drivers, those of other wheels held.
@@ -136,12 +174,17 @@ impl Station {
         Some(Motions { travel, rack })
     }
 
-    fn motion(
+    /// How the parts move with the value of a driver, relative to the chassis.
+    pub fn motion(
         &self,
         driver: DriverId,
         stand: &mut Stand,
         mechanism: &Mechanism,
     ) -> Option<Motion<f64>> {
+        // A joint whose place is adjusted moves on its body, too.
+        let slots = stand.system().expansion().driver_slots();
+        let rates = self.adjusted.map(|first| first.map(|first| slots.rate(driver, first)));
+        let adjusted = self.adjusted_places(stand);
         let tangent = stand.tangent(driver)?;
         let twist = |body| tangent.twist(body).minus(&tangent.twist(self.chassis));
         let velocity = |(point, body): (PointId, BodyId)| {
@@ -149,15 +192,21 @@ impl Station {
         };
         Some(Motion {
             wheel: twist(self.wheel.body),
-            steer_axis: self
-                .steer_axis
-                .map(|axis| Line::through([axis.lower, axis.upper].map(velocity))),
+            steer_axis: self.steer_axis.map(|axis| {
+                let ends =
+                    [(axis.lower, adjusted[0], rates[0]), (axis.upper, adjusted[1], rates[1])];
+                Line::through(ends.map(|(end, adjusted, rate)| {
+                    let place = place(mechanism, tangent.state(), end, adjusted);
+                    let rate = rate.map_or([0.0; 3], |rate| turned(tangent.state(), end.1, rate));
+                    add(twist(end.1).at(place), rate)
+                }))
+            }),
             spring: self.spring.map(|spring| Line::through(spring.ends.map(velocity))),
         })
     }
 
     /// The vertical force on the wheel and how it grows with its travel.
-    fn load(&self, stand: &mut Stand) -> Option<WheelLoad<f64>> {
+    pub fn load(&self, stand: &mut Stand) -> Option<WheelLoad<f64>> {
         if !stand.is_loaded() || !stand.is_in_equilibrium() {
             return None;
         }
@@ -172,4 +221,28 @@ impl Station {
             }
         }
     }
+}
+
+/// Where a point of a body is; `adjusted` is its place on the body where that is another one.
+fn place(
+    mechanism: &Mechanism,
+    state: &[Coordinates<f64>],
+    (point, body): (PointId, BodyId),
+    adjusted: Option<[f64; 3]>,
+) -> [f64; 3] {
+    let Some(local) = adjusted else {
+        return point_position(mechanism, state, body, point);
+    };
+    let [x, y, z, ..] = state[body.index()];
+    add([x, y, z], turned(state, body, local))
+}
+
+/// A direction of a body in the axes of the ground.
+fn turned(state: &[Coordinates<f64>], body: BodyId, direction: [f64; 3]) -> [f64; 3] {
+    rotation(state, body).map(|row| dot(row, direction))
+}
+
+/// The rotation from one orientation to another one: A Bᵀ.
+fn relative(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    a.map(|row| b.map(|other| dot(row, other)))
 }
