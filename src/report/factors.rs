@@ -4,13 +4,13 @@ use std::io;
 
 use serde_json::{Value, json};
 
-use super::rounded;
 use super::table::cell;
+use super::{adjustments, rounded};
 use crate::factors::{
     Convention, Definition, FACTORS, FARTHEST, Factor, NEARLY_PARALLEL, Need, Subject,
 };
 use crate::model::{AngleUnit, Drive, ForceUnit, LengthUnit, MassUnit, Units};
-use crate::rig::Pose;
+use crate::rig::{Adjustment, Pose};
 
 /// The factors of one state and all that is needed to show them.
 #[derive(Clone, Copy)]
@@ -25,6 +25,8 @@ pub struct FactorSheet<'a> {
     pub convention: Convention,
     /// The state.
     pub pose: &'a Pose<f64>,
+    /// What the adjusters of the model are set to.
+    pub adjustments: &'a [Adjustment],
 }
 
 impl FactorSheet<'_> {
@@ -72,6 +74,7 @@ impl FactorSheet<'_> {
             length(pose.rack),
             symbol = units.length.symbol()
         )?;
+        adjustments::write_adjustments(&mut writer, units, self.adjustments)?;
         let width = self.shown().map(|factor| factor.name.len()).max().unwrap_or(0);
         for subject in Subject::ALL {
             let mut factors = self.shown().filter(|factor| factor.subject == subject).peekable();
@@ -111,6 +114,16 @@ impl FactorSheet<'_> {
             let unit = factor.quantity.symbol(self.units);
             record([factor.name, &value, &unit, factor.title, sign, formula, source])?;
         }
+        for adjustment in self.adjustments {
+            let value = adjustments::shown(self.units, adjustment).to_string();
+            let formula = match adjustment.sets {
+                Some(factor) => format!("set for {factor}"),
+                None => "as the model has it".to_owned(),
+            };
+            let (unit, Adjustment { name, title, sign, .. }) =
+                (self.units.length.symbol(), adjustment);
+            record([name, &value, unit, title, sign, &formula, "[adjusters]"])?;
+        }
         csv.flush()
     }
 
@@ -149,6 +162,7 @@ impl FactorSheet<'_> {
             "travel": rounded(units.length.from_metres(pose.travel)),
             "rack": rounded(units.length.from_metres(pose.rack)),
             "length_unit": units.length.symbol(),
+            "adjustments": adjustments::json(units, self.adjustments),
             "factors": self.shown().map(factor).collect::<Vec<_>>(),
             "not_shown": self.lacking().into_iter().map(lacking).collect::<Vec<_>>(),
         })

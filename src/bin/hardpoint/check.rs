@@ -7,6 +7,7 @@ use clap::Args;
 use hardpoint::factors::basic;
 use hardpoint::mechanism::{BodyId, Force};
 use hardpoint::model::{Axes, Document, MechanismModel, Model, Quantity, Setup, Units};
+use hardpoint::report::write_adjustments;
 use hardpoint::rig::{Corner, Pose, Stand};
 use hardpoint::solve::{StaticFailure, StaticReport};
 
@@ -16,7 +17,8 @@ use crate::output::{Output, SideName, axes_of_words};
 
 /// Check a model: mistakes in the file, degrees of freedom, redundant equations, free motions.
 ///
-/// Prints what the model is and its factors at the design position.
+/// Prints what the model is, what its adjusters are set to, and its factors at the design position or in its
+/// static state.
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
@@ -89,8 +91,10 @@ fn suspension(
     writeln!(writer, "wheel radius   {radius} {length}")?;
     writeln!(writer)?;
     parts(writer, corner.stand(), corner.forces(), model.axes, held)?;
+    write_adjustments(&mut *writer, units, corner.adjustments())?;
     writeln!(writer)?;
-    writeln!(writer, "at the design position:")?;
+    let set = model.is_adjusted();
+    writeln!(writer, "{}:", if set { "in the static state" } else { "at the design position" })?;
     for factor in basic() {
         if let Some(value) = factor.show(units, pose) {
             let unit = factor.quantity.symbol(units);

@@ -34,7 +34,7 @@ pub struct Factors {
     /// Print the definitions of all factors: name, symbol, unit, sign, formula, source.
     #[arg(long, conflicts_with = "model")]
     list: bool,
-    /// Wheel travel from the design position, + jounce [default: 0].
+    /// Wheel travel from the design position or the static state of the model, + jounce [default: 0].
     #[arg(long, allow_negative_numbers = true, value_name = "T")]
     travel: Option<f64>,
     /// Rack displacement, + along the model's +y [default: 0].
@@ -67,7 +67,7 @@ impl Factors {
         // Refused before the work is done.
         let output = Output::beside(path, self.output.as_deref())?;
         match document {
-            Document::Suspension(model) => self.corner(&model, path, &output),
+            Document::Suspension(model) => self.corner(&self.rig.set(model)?, path, &output),
             Document::Mechanism(_) => Err(Failure::Usage(
                 "factors belong to suspensions; this file is a mechanism".into(),
             )),
@@ -104,6 +104,7 @@ impl Factors {
             drive: self.rig.drive(),
             convention: self.convention.into(),
             pose: &corner.pose(),
+            adjustments: corner.adjustments(),
         };
         let named = self.output.as_deref().and_then(Format::of);
         output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
