@@ -393,7 +393,7 @@ fn what_cannot_be_set_is_said_by_name() {
     let out_of_reach = refused(&sedan(far));
     assert!(out_of_reach.starts_with("toe cannot be brought to 150.0000 deg"), "{out_of_reach}");
     insta::assert_snapshot!(
-        "no effect",
+        "no_effect",
         refused(&sprung("toe = { value = 0.2, by = \"spring_seat\" }"))
     );
     insta::assert_snapshot!(
