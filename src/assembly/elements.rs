@@ -62,6 +62,8 @@ struct Scratch {
     curvature: Vec<f64>,
     rate: Vec<f64>,
     rate_h: Vec<f64>,
+    phi_h: Vec<f64>,
+    force_h: Vec<f64>,
 }
 
 impl Elements {
@@ -95,6 +97,8 @@ impl Elements {
                 curvature: scratch(|shape| shape.curvature.len()),
                 rate: scratch(|shape| shape.rate.len()),
                 rate_h: scratch(|shape| shape.rate_design.len()),
+                phi_h: scratch(|shape| shape.design.len()),
+                force_h: scratch(|shape| shape.force_design.len()),
             },
             values: numbers.clone(),
             rates: numbers.clone(),
@@ -181,6 +185,56 @@ impl Elements {
         )
     }
 
+    /// Adds how the forces of all elements change when the parameters change by dh, at the last
+    /// evaluation: (Wᵀλ)_h dh + Wᵀ λ_Φ Φ_h dh, all unknowns.
+    pub(crate) fn add_design_force(
+        &mut self,
+        state: &[Coordinates<f64>],
+        h: &[f64],
+        dh: &[f64],
+        force: &mut [f64],
+    ) {
+        let Scratch { lambda, phi_q, work, phi_h, force_h, .. } = &mut self.scratch;
+        for Element { term, .. } in &self.list {
+            let dh = &dh[term.parameters.clone()];
+            if dh.iter().all(|&change| change == 0.0) {
+                continue;
+            }
+            let shape = term.shape;
+            let place = term.place(state, h);
+            let responses = &self.responses[term.equations.clone()];
+            let lambda = &mut lambda[..shape.equations];
+            for (lambda, response) in lambda.iter_mut().zip(responses) {
+                *lambda = response.force;
+            }
+            let phi_h = &mut phi_h[..shape.design.len()];
+            let force_h = &mut force_h[..shape.force_design.len()];
+            term.kernels.design(place, lambda, phi_h, force_h);
+            for (&(local, parameter), value) in shape.force_design.iter().zip(&*force_h) {
+                if let Some(unknown) = term.unknown(local) {
+                    force[unknown] += value * dh[usize::from(parameter)];
+                }
+            }
+            let phi_q = &mut phi_q[..shape.jacobian.len()];
+            let work = &mut work[..shape.work.len()];
+            // The kernel writes Φ, too, which is not needed.
+            term.kernels.jacobian(place, lambda, phi_q, work);
+            lambda.fill(0.0);
+            for (&(equation, parameter), value) in shape.design.iter().zip(&*phi_h) {
+                let equation = usize::from(equation);
+                let response = &responses[equation];
+                lambda[equation] += response.by_value * value * dh[usize::from(parameter)];
+            }
+            let rows =
+                if shape.has_work() { (shape.work, &*work) } else { (shape.jacobian, &*phi_q) };
+            for (&(equation, local), value) in rows.0.iter().zip(rows.1) {
+                if let Some(unknown) = term.unknown(local) {
+                    force[unknown] += value * lambda[usize::from(equation)];
+                }
+            }
+        }
+    }
+
     /// Evaluates one element and writes Wᵀλ to `block`, and the derivatives of it where a blend
     /// is given.
     pub(super) fn evaluate(
@@ -196,7 +250,7 @@ impl Elements {
         let shape = term.shape;
         let place = term.place(motion.state, h);
         let equations = term.equations.clone();
-        let Scratch { lambda, phi_q, work, curvature, rate, rate_h } = &mut self.scratch;
+        let Scratch { lambda, phi_q, work, curvature, rate, rate_h, .. } = &mut self.scratch;
         let phi_q = &mut phi_q[..shape.jacobian.len()];
         let work = &mut work[..shape.work.len()];
         let lambda = &mut lambda[..shape.equations];

@@ -1,5 +1,6 @@
 //! Building a mechanism by name, and asking it for its parts.
 
+use super::adjuster::Adjuster;
 use super::error::MechanismError;
 use super::force::{Force, InitialVelocity};
 use super::topology::{
@@ -16,7 +17,8 @@ pub struct Mechanism {
     pub(super) bodies: Vec<Body>,
     points: Vec<Point>,
     joints: Vec<Joint>,
-    drivers: Vec<Driver>,
+    pub(super) drivers: Vec<Driver>,
+    pub(super) adjusters: Vec<(DriverId, Adjuster)>,
     pub(super) forces: Vec<Force>,
     pub(super) gravity: [f64; 3],
 }
@@ -29,6 +31,7 @@ impl Mechanism {
             points: vec![],
             joints: vec![],
             drivers: vec![],
+            adjusters: vec![],
             forces: vec![],
             gravity: [0.0; 3],
         }
@@ -133,6 +136,11 @@ impl Mechanism {
     /// All drivers.
     pub fn drivers(&self) -> &[Driver] {
         &self.drivers
+    }
+
+    /// What a driver adjusts; `None` for one that prescribes a motion.
+    pub fn adjuster(&self, driver: DriverId) -> Option<&Adjuster> {
+        self.adjusters.iter().find(|(id, _)| *id == driver).map(|(_, adjuster)| adjuster)
     }
 
     /// The numbers of all bodies, the ground first.

@@ -140,6 +140,8 @@ impl<'a> Composition<'a> {
                     &[point, Recipe::Axis(spin), Recipe::Number(radius), height],
                 );
             }
+            // It changes the parameters of others.
+            DriverKind::Adjuster => {}
         }
     }
 
@@ -282,7 +284,7 @@ impl<'a> Composition<'a> {
     }
 
     fn local(&self, body: BodyId, point: PointId) -> Recipe {
-        Recipe::Local { point, origin: self.mechanism.bodies()[body.0].origin }
+        Recipe::Local { point, body, origin: self.mechanism.bodies()[body.0].origin }
     }
 
     fn relation(&mut self, kind: RelationKind, recipes: &[Recipe]) {

@@ -8,7 +8,8 @@ use super::force::ForceId;
 use super::labels;
 use super::law::Law;
 use super::recipe::Recipe;
-use super::topology::{BodyId, DriverId};
+use super::slots::DriverSlots;
+use super::topology::{BodyId, DriverId, DriverKind};
 use crate::kernels::{EnergyKind, RelationKind};
 use crate::scalar::Scalar;
 use crate::vector::sub;
@@ -73,8 +74,8 @@ pub struct Expansion {
     elements: Vec<Element>,
     inertias: Vec<Inertia>,
     value_count: usize,
-    recipes: Vec<Recipe>,
-    driver_slots: Vec<usize>,
+    pub(super) recipes: Vec<Recipe>,
+    driver_slots: DriverSlots,
     labels: Vec<String>,
     owners: Vec<Owner>,
     parameter_count: usize,
@@ -90,7 +91,7 @@ impl Expansion {
             inertias: vec![],
             value_count: 0,
             recipes: vec![],
-            driver_slots: vec![],
+            driver_slots: DriverSlots::default(),
             labels: vec![],
             owners: vec![],
             parameter_count: 0,
@@ -112,13 +113,21 @@ impl Expansion {
         }
         for (index, driver) in mechanism.drivers().iter().enumerate() {
             let id = DriverId(index);
+            if driver.kind == DriverKind::Adjuster {
+                expansion.driver_slots.push(vec![]);
+                continue;
+            }
             Composition::of_driver(mechanism, id, driver, &mut expansion).driver(driver.kind);
             // The prescribed value is the last parameter of every relation that drives.
-            expansion.driver_slots.push(expansion.parameter_count - 1);
+            expansion.driver_slots.push(vec![(expansion.parameter_count - 1, 1.0)]);
             expansion.labels.push(labels::driver(mechanism, driver));
         }
         debug_assert_eq!(expansion.labels.len(), expansion.owners.len());
         expansion.forces_and_masses(mechanism);
+        for (driver, adjuster) in &mechanism.adjusters {
+            let slots = expansion.adjusted(mechanism, adjuster);
+            expansion.driver_slots.replace(*driver, slots);
+        }
         expansion
     }
 
@@ -195,9 +204,17 @@ impl Expansion {
         (0..self.owners.len()).filter(move |&equation| self.owners[equation] == owner)
     }
 
-    /// The parameter that a driver's value is added to.
+    /// The parameter that the value of a driver which prescribes a motion is added to.
+    ///
+    /// # Panics
+    /// If the driver is an adjuster that changes nothing.
     pub fn driver_slot(&self, driver: DriverId) -> usize {
-        self.driver_slots[driver.0]
+        self.driver_slots.of(driver)[0].0
+    }
+
+    /// The parameters that the values of drivers are added to.
+    pub fn driver_slots(&self) -> &DriverSlots {
+        &self.driver_slots
     }
 
     /// All parameters h for the given positions of the points (m) and all drivers at zero.

@@ -188,6 +188,11 @@ impl ForceKind {
         }
     }
 
+    /// Whether it acts along the line between two points.
+    pub fn is_line(&self) -> bool {
+        matches!(self, Self::Line { .. })
+    }
+
     /// The directions that the kind refers to.
     pub fn directions(&self) -> Vec<Direction> {
         match self {

@@ -12,6 +12,7 @@
 //! [`Expansion`] is the mechanism as the solver sees it: joints, drivers and force elements
 //! turned into instances of relations.
 
+mod adjuster;
 mod build;
 mod composition;
 mod elements;
@@ -22,9 +23,11 @@ mod labels;
 mod law;
 mod recipe;
 mod renumber;
+mod slots;
 mod spline;
 mod topology;
 
+pub use adjuster::Adjuster;
 pub use build::Mechanism;
 pub use error::MechanismError;
 pub use expansion::{Element, Expansion, Inertia, Instance, Owner};
@@ -34,6 +37,7 @@ pub use force::{
 };
 pub(crate) use labels::joint as joint_in_words;
 pub use law::{Acts, Curve, Law, Response};
+pub use slots::DriverSlots;
 pub use spline::{Jet, Spline};
 pub use topology::{
     Body, BodyId, Direction, Driver, DriverId, DriverKind, Joint, JointKind, Point, PointId,

@@ -6,7 +6,7 @@
 
 use super::build::Mechanism;
 use super::force::Triad;
-use super::topology::{Direction, PointId};
+use super::topology::{BodyId, Direction, PointId};
 use crate::scalar::Scalar;
 use crate::vector::{Vector, constant, cross, norm, sub, unit};
 
@@ -14,7 +14,7 @@ use crate::vector::{Vector, constant, cross, norm, sub, unit};
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Recipe {
     /// A point in the frame of a body with this origin.
-    Local { point: PointId, origin: [f64; 3] },
+    Local { point: PointId, body: BodyId, origin: [f64; 3] },
     /// A constant vector.
     Constant([f64; 3]),
     /// A unit vector.
@@ -78,7 +78,7 @@ impl Recipe {
     /// Appends the components to `out`.
     pub(super) fn evaluate<S: Scalar>(self, positions: &[Vector<S>], out: &mut Vec<S>) {
         match self {
-            Self::Local { point, origin } => {
+            Self::Local { point, origin, .. } => {
                 out.extend(sub(positions[point.0], constant(origin)));
             }
             Self::Constant(vector) => out.extend(constant::<S>(vector)),

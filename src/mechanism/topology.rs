@@ -243,6 +243,9 @@ pub enum DriverKind {
         /// Radius (m).
         radius: f64,
     },
+    /// A dimension (m) of parts: see [`Mechanism::add_adjuster`](super::Mechanism::add_adjuster).
+    /// It holds no motion.
+    Adjuster,
 }
 
 impl DriverKind {
@@ -254,6 +257,7 @@ impl DriverKind {
             Self::Length { .. } => "length",
             Self::Height { .. } => "height",
             Self::PatchHeight { .. } => "contact-patch height",
+            Self::Adjuster => "adjuster",
         }
     }
 
@@ -263,7 +267,7 @@ impl DriverKind {
             Self::Displacement { at, .. } | Self::Height { at } => Some([at, at]),
             Self::Length { on_i, on_j } => Some([on_i, on_j]),
             Self::PatchHeight { center, .. } => Some([center, center]),
-            Self::Rotation { .. } => None,
+            Self::Rotation { .. } | Self::Adjuster => None,
         }
     }
 
@@ -273,7 +277,7 @@ impl DriverKind {
             Self::Displacement { along, .. } => Some(along),
             Self::Rotation { axis } => Some(axis),
             Self::PatchHeight { spin, .. } => Some(spin),
-            Self::Length { .. } | Self::Height { .. } => None,
+            Self::Length { .. } | Self::Height { .. } | Self::Adjuster => None,
         }
     }
 

@@ -1,5 +1,6 @@
 //! Both sides of a vehicle in one mechanism.
 
+use super::adjusters::InMechanism;
 use super::chassis::Rolling;
 use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
 use super::suspension::{StrutLine, Wheel, is_from_ground};
@@ -24,6 +25,8 @@ pub struct AxleSuspension {
     pub rack: Option<DriverId>,
     /// The chassis that rolls above the road; `None` where it is the ground.
     pub rolling: Option<Rolling>,
+    /// The adjusters of the left and the right side, in the order of the models.
+    pub adjusters: [Vec<DriverId>; 2],
     /// Which height the travels prescribe.
     pub drive: Drive,
 }
@@ -97,7 +100,12 @@ impl Model {
         {
             self.couple_arms(&mut mechanism, on_left, on_right)?;
         }
-        Ok(AxleSuspension { mechanism, sides, rack, rolling, drive: setup.drive })
+        let kinematic = setup.kinematic;
+        let adjusters = [
+            left.add_adjusters(&mut mechanism, kinematic)?,
+            right.add_adjusters(&mut mechanism, kinematic)?,
+        ];
+        Ok(AxleSuspension { mechanism, sides, rack, rolling, adjusters, drive: setup.drive })
     }
 
     /// Whether anything but the tyres acts on the bodies of the axle.
@@ -317,7 +325,7 @@ impl<'a> Half<'a> {
         let kind = setup.drive.of(&wheel);
         let travel =
             mechanism.add_driver(&self.name("travel"), BodyId::GROUND, wheel.body, kind)?;
-        let tyre = match (setup.support, model.tyre_force()) {
+        let tyre = match (setup.support, model.tyre_force(setup.chassis)) {
             (WheelSupport::Free, Some(tyre)) => {
                 Some(self.add_force(mechanism, &self.name(&tyre.name), &tyre)?)
             }
@@ -334,6 +342,20 @@ impl<'a> Half<'a> {
             travel,
             tyre,
         })
+    }
+
+    fn add_adjusters(
+        &self,
+        mechanism: &mut Mechanism,
+        kinematic: bool,
+    ) -> Result<Vec<DriverId>, MechanismError> {
+        let known = InMechanism {
+            name: &|name| self.name(name),
+            body: &|body| self.body(body),
+            point: &|point| self.point(point),
+            kinematic,
+        };
+        self.model.add_adjusters(mechanism, &known)
     }
 
     /// Adds the arm of the anti-roll bar, which turns on the chassis, and its drop link.

@@ -79,6 +79,16 @@ impl LoadsFile {
         }
     }
 
+    /// The force elements that are right.
+    pub(super) fn forces(&self) -> impl Iterator<Item = &Force> {
+        self.forces.iter().map(|(_, force)| force)
+    }
+
+    /// The joints that bushings stand for, by their places in the architecture.
+    pub(super) fn bushed(&self) -> impl Iterator<Item = usize> {
+        self.bushings.iter().map(|(_, bushing)| bushing.joint)
+    }
+
     pub(super) fn places(&self) -> LoadPlaces {
         LoadPlaces {
             masses: self.masses.iter().map(|(span, body, _)| (span.clone(), *body)).collect(),
@@ -214,7 +224,12 @@ fn bushings(
     bushings
 }
 
-fn joint(name: &Spanned<String>, joints: &[Joint], report: &mut Report) -> Option<usize> {
+/// The joint of a name.
+pub(super) fn joint(
+    name: &Spanned<String>,
+    joints: &[Joint],
+    report: &mut Report,
+) -> Option<usize> {
     let word = name.get_ref();
     let found = joints.iter().position(|joint| joint.name == *word);
     if found.is_none() && !joints.is_empty() {

@@ -1,6 +1,7 @@
 //! The same suspension on the other side of the vehicle.
 
 use super::Model;
+use super::adjusters::Change;
 use crate::mechanism::{Bushing, Direction, Force, ForceKind, MassProperties};
 
 impl Model {
@@ -19,6 +20,11 @@ impl Model {
         }
         for joint in &mut other.architecture.joints {
             joint.kind = joint.kind.on_lines(mirrored_line);
+        }
+        for adjuster in &mut other.adjusters {
+            if let Change::Place { along: Direction::Fixed(along), .. } = &mut adjuster.change {
+                *along = mirrored(*along);
+            }
         }
         let bushings = other.loads.bushings.iter_mut().map(|bushing| &mut bushing.force);
         for force in other.loads.forces.iter_mut().chain(bushings) {

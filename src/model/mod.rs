@@ -2,6 +2,7 @@
 //!
 #![doc = include_str!("../../docs/models.md")]
 
+mod adjusters;
 mod alignment;
 mod architecture;
 mod axes;
@@ -30,6 +31,7 @@ mod units;
 mod units_file;
 mod vehicle;
 
+pub use adjusters::{Adjuster, STATIC_FACTORS, StaticState, StaticTarget};
 pub use alignment::Alignment;
 pub use architecture::{Architecture, BodyRole, PointRole, SteerAxis};
 pub use axes::{Axes, Side};
@@ -87,6 +89,8 @@ pub struct Model {
     /// Points required by the architecture, in its order, then optional ones, then the model's own.
     points: Vec<NamedPoint>,
     loads: Loads,
+    adjusters: Vec<Adjuster>,
+    static_state: StaticState,
 }
 
 /// A hard point.

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use toml::Spanned;
 
+use super::adjusters::AdjustersFile;
 use super::alignment::Alignment;
 use super::architecture::Architecture;
 use super::axes::{Axes, Side};
@@ -39,6 +40,18 @@ pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) 
     let joints = architecture.as_ref().map_or(&[][..], |architecture| &architecture.joints);
     let loads = LoadsFile::read(root, &parts, joints, fittings.bushings, report);
     let vehicle = vehicle::read(root, &parts, report);
+    let (adjusters, static_state) = {
+        let known = architecture.as_ref();
+        let file = AdjustersFile {
+            parts: &parts,
+            joints,
+            bushed: loads.bushed().collect(),
+            forces: loads.forces().collect(),
+            is_shared: &|body| known.is_some_and(|known| known.is_shared(body)),
+            body_name: &|body| known.map_or("", |known| known.body_name(body)).to_owned(),
+        };
+        file.read(root, report)
+    };
     let points = match (&architecture, &file.points) {
         (Some(architecture), Some(points)) => place(architecture, &names, points, report),
         _ => None,
@@ -75,6 +88,8 @@ pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) 
         other: None,
         points,
         loads: carried,
+        adjusters,
+        static_state,
         architecture,
     };
     if let Some(bearing) = fittings.hub_bearing {

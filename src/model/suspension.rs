@@ -1,5 +1,6 @@
 //! From a model to the mechanism that the solver knows.
 
+use super::adjusters::InMechanism;
 use super::architecture::{Seats, WheelRole};
 use super::mirror::mirrored;
 use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
@@ -28,6 +29,8 @@ pub struct Suspension {
     /// Change of the height of the wheel above the ground (m), positive in jounce in every axis
     /// system; the ground is the chassis where that is fixed, and the road where it slides.
     pub travel: DriverId,
+    /// The adjusters, in the order of the model.
+    pub adjusters: Vec<DriverId>,
     /// Which height [`Suspension::travel`] prescribes.
     pub drive: Drive,
     /// The tyre, where the wheel stands on it. The travel driver is there all the same: whoever
@@ -129,11 +132,18 @@ impl Model {
         };
         let kind = setup.drive.of(&wheel);
         let travel = mechanism.add_driver("travel", BodyId::GROUND, wheel.body, kind)?;
-        let tyre = match (setup.support, self.tyre_force()) {
+        let tyre = match (setup.support, self.tyre_force(setup.chassis)) {
             (WheelSupport::Held, _) => None,
             (WheelSupport::Free, Some(tyre)) => Some(add_force(&mut mechanism, numbers, &tyre)?),
             (WheelSupport::Free, None) => None,
         };
+        let known = InMechanism {
+            name: &str::to_owned,
+            body: &|body| numbers.body(body),
+            point: &|point| point,
+            kinematic: setup.kinematic,
+        };
+        let adjusters = self.add_adjusters(&mut mechanism, &known)?;
         Ok(Suspension {
             mechanism,
             wheel,
@@ -142,6 +152,7 @@ impl Model {
             damper: self.damper_line(|body| numbers.body(body)),
             rack,
             travel,
+            adjusters,
             drive: setup.drive,
             tyre,
             chassis: numbers.body(BodyId::GROUND),
@@ -250,15 +261,21 @@ impl Model {
         self.loads.tyre.as_ref().map(|tyre| &tyre.law)
     }
 
-    /// The tyre as a force element with the numbers of the architecture.
-    pub(super) fn tyre_force(&self) -> Option<Force> {
+    /// The tyre as a force element with the numbers of the architecture. The ground comes nearer to a chassis
+    /// that stands lower; one that slides finds its height itself.
+    pub(super) fn tyre_force(&self, chassis: Chassis) -> Option<Force> {
         let tyre = self.loads.tyre.as_ref()?;
         let WheelRole { body, center } = self.architecture.wheel;
         let contact = match tyre.contact {
             TyreContact::WheelCenter => Contact::Center(center),
             TyreContact::ContactPatch => Contact::Patch { center, spin: self.spin_direction() },
         };
-        let (free_radius, ground, law) = (tyre.free_radius, tyre.ground, tyre.law.clone());
+        let raised = match chassis {
+            Chassis::Slide => 0.0,
+            _ => self.static_state.ride_height,
+        };
+        let (free_radius, law) = (tyre.free_radius, tyre.law.clone());
+        let ground = tyre.ground - raised;
         let kind = ForceKind::Tyre { contact, free_radius, ground, law };
         Some(Force { name: "tyre".to_owned(), i: BodyId::GROUND, j: body, kind })
     }

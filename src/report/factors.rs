@@ -4,13 +4,13 @@ use std::io;
 
 use serde_json::{Value, json};
 
-use super::rounded;
 use super::table::cell;
+use super::{adjustments, rounded};
 use crate::factors::{
     Convention, Definition, FACTORS, FARTHEST, Factor, NEARLY_PARALLEL, Need, Subject,
 };
 use crate::model::{AngleUnit, Drive, ForceUnit, LengthUnit, MassUnit, Units};
-use crate::rig::Pose;
+use crate::rig::{Adjustment, Pose};
 
 /// The factors of one state and all that is needed to show them.
 #[derive(Clone, Copy)]
@@ -25,6 +25,8 @@ pub struct FactorSheet<'a> {
     pub convention: Convention,
     /// The state: one wheel of a corner, left and right of an axle.
     pub poses: &'a [Pose<f64>],
+    /// What the adjusters of the model are set to.
+    pub adjustments: &'a [Adjustment],
 }
 
 impl FactorSheet<'_> {
@@ -95,6 +97,7 @@ impl FactorSheet<'_> {
             length(first.rack),
             symbol = units.length.symbol()
         )?;
+        adjustments::write_adjustments(&mut writer, units, self.adjustments)?;
         let width = self.shown().map(|factor| factor.name.len()).max().unwrap_or(0);
         let symbol = |factor: &Factor| factor.quantity.symbol(units);
         let unit_width =
@@ -145,6 +148,16 @@ impl FactorSheet<'_> {
                 };
                 record([&name, &value, &unit, factor.title, sign, formula, source])?;
             }
+        }
+        for adjustment in self.adjustments {
+            let value = adjustments::shown(self.units, adjustment).to_string();
+            let formula = match adjustment.sets {
+                Some(factor) => format!("set for {factor}"),
+                None => "as the model has it".to_owned(),
+            };
+            let (unit, Adjustment { name, title, sign, .. }) =
+                (self.units.length.symbol(), adjustment);
+            record([name, &value, unit, title, sign, &formula, "[adjusters]"])?;
         }
         csv.flush()
     }
@@ -201,6 +214,7 @@ impl FactorSheet<'_> {
             },
             "rack": first.map(|pose| rounded(units.length.from_metres(pose.rack))),
             "length_unit": units.length.symbol(),
+            "adjustments": adjustments::json(units, self.adjustments),
             "factors": self.shown().map(factor).collect::<Vec<_>>(),
             "not_shown": self.lacking().into_iter().map(lacking).collect::<Vec<_>>(),
         })

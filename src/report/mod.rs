@@ -1,5 +1,6 @@
 //! Sweeps as text: a table for people, CSV and JSON for programs.
 
+mod adjustments;
 mod compliance;
 mod csv;
 mod factors;
@@ -10,6 +11,7 @@ mod settle;
 mod statics;
 mod table;
 
+pub use adjustments::write_adjustments;
 pub use compliance::ComplianceReport;
 pub use factors::{FactorSheet, write_definitions};
 pub use lotus::LotusReport;

@@ -2,12 +2,13 @@
 
 use std::io;
 
+use super::adjustments::write_adjustments;
 use super::rounded;
 use super::table::cell;
 use crate::factors::{Convention, FACTORS, Factor, Subject};
 use crate::model::{Drive, Model};
 use crate::programme::Stage;
-use crate::rig::Pose;
+use crate::rig::{Adjustment, Pose};
 
 /// What came of one stage.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +36,8 @@ pub struct ProgrammeSummary<'a> {
     pub convention: Convention,
     /// The left and the right wheel at the static position.
     pub poses: &'a [Pose<f64>; 2],
+    /// What the adjusters of the model are set to.
+    pub adjustments: &'a [Adjustment],
     /// The stages.
     pub stages: &'a [StageResult],
 }
@@ -74,6 +77,7 @@ impl ProgrammeSummary<'_> {
         }
         let reached: usize = self.stages.iter().map(|result| result.reached).sum();
         writeln!(writer, "{:<26} {reached:>4} states in all", "")?;
+        write_adjustments(&mut writer, units, self.adjustments)?;
         self.factors(&mut writer)
     }
 

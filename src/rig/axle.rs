@@ -1,5 +1,6 @@
 //! An axle on the rig.
 
+use super::adjust::{self, AdjustError, Adjustment};
 use super::channel::{Channel, heave_channel};
 use super::compliance::Compliance;
 use super::corner::RigError;
@@ -31,13 +32,15 @@ pub struct Axle {
     elements: Vec<Channel>,
     measures_compliance: bool,
     steering: Steering,
+    adjustments: Vec<Adjustment>,
 }
 
 impl Axle {
-    /// Puts a model and its mirror image on the rig at their design position.
+    /// Puts a model and its mirror image on the rig, in the static state that the model asks for or at the
+    /// design position. Travel and all changes count from there.
     ///
     /// # Errors
-    /// [`RigError`] for geometry without meaning or a wheel that cannot move.
+    /// [`RigError`] for geometry without meaning, a wheel that cannot move or a static state out of reach.
     pub fn new(model: &Model, setup: &Setup) -> Result<Self, RigError> {
         Self::with_loads(model, setup, LoadPoint::default())
     }
@@ -47,7 +50,7 @@ impl Axle {
     /// # Errors
     /// As for [`Self::new`].
     pub fn with_loads(model: &Model, setup: &Setup, at: LoadPoint) -> Result<Self, RigError> {
-        Self::of(model.axle(setup)?, model, setup, at)
+        Self::with_sides(model, &model.other_side(), setup, at)
     }
 
     /// As [`Self::with_loads`], with another model for the other side.
@@ -60,15 +63,14 @@ impl Axle {
         setup: &Setup,
         at: LoadPoint,
     ) -> Result<Self, RigError> {
-        Self::of(model.axle_with(other, setup)?, model, setup, at)
-    }
-
-    fn of(
-        mut suspension: AxleSuspension,
-        model: &Model,
-        setup: &Setup,
-        at: LoadPoint,
-    ) -> Result<Self, RigError> {
+        let suspension = |setup: &Setup| Ok(model.axle_with(other, setup)?);
+        let models = match model.side {
+            Side::Left => [model, other],
+            Side::Right => [other, model],
+        };
+        let set = adjust::axle(models, setup, suspension)?;
+        let mut suspension = suspension(setup)?;
+        let homes = [0, 1].map(|k| set.as_ref().map(|set| set[k].home));
         let axes = model.axes;
         let own_forces = suspension.mechanism.forces().len();
         let loads = match model.axle_has_forces() {
@@ -76,7 +78,8 @@ impl Axle {
                 let AxleSuspension { mechanism, sides, .. } = &mut suspension;
                 let mut add = |part: &AxleSide| {
                     let prefix = format!("{} ", part.side.name());
-                    WheelLoads::add(mechanism, &part.wheel, &prefix, at, axes)
+                    let home = homes[part.side.index()].as_ref();
+                    WheelLoads::add(mechanism, &part.wheel, &prefix, at, home, axes)
                 };
                 Some([add(&sides[0])?, add(&sides[1])?])
             }
@@ -86,7 +89,13 @@ impl Axle {
             WheelSupport::Held => vec![],
             WheelSupport::Free => suspension.sides.map(|part| part.travel).to_vec(),
         };
-        let stand = Stand::new(suspension.mechanism.clone(), &released, axes)?;
+        let mut stand = Stand::new(suspension.mechanism.clone(), &released, axes)?;
+        if let Some(set) = &set {
+            let sides = set.iter().zip(&suspension.sides).zip(&suspension.adjusters);
+            let drivers = sides.flat_map(|((set, part), by)| set.drivers(by, part.travel));
+            let drivers: Vec<_> = drivers.collect();
+            stand.start_from(&drivers).map_err(|stop| AdjustError::Start(Box::new(stop)))?;
+        }
         let mut elements = vec![];
         if loads.is_some() {
             let heave = suspension.rolling.map(|rolling| rolling.body);
@@ -94,9 +103,13 @@ impl Axle {
             let travels = suspension.sides.map(|part| part.travel);
             elements.extend(stand.model_channels(own_forces, &travels));
         }
-        let station = |side| Station::of_axle(&suspension, side, model, setup);
+        let station = |side: Side| {
+            let station = Station::of_axle(&suspension, side, model, setup);
+            station.on(&stand, homes[side.index()])
+        };
         Ok(Self {
             stations: [station(Side::Left), station(Side::Right)],
+            adjustments: set.into_iter().flatten().flat_map(|set| set.adjustments).collect(),
             load: [Load::default(); 2],
             elements,
             suspension,
@@ -121,6 +134,11 @@ impl Axle {
         motions.filter(move |motion| {
             kinematic && self.stations.iter().any(|station| station.is_moved(motion))
         })
+    }
+
+    /// What the adjusters are set to; none where the model asks for no static state.
+    pub fn adjustments(&self) -> &[Adjustment] {
+        &self.adjustments
     }
 
     /// The suspension.
@@ -161,8 +179,8 @@ impl Axle {
         }
     }
 
-    /// Moves the wheels to travels and the rack to a displacement (m, all from the design
-    /// position) from where they are. An axle without a rack ignores `rack`, wheels that stand
+    /// Moves the wheels to travels and the rack to a displacement (m, all from the static
+    /// state or the design position) from where they are. An axle without a rack ignores `rack`, wheels that stand
     /// on their tyres ignore `travel`.
     ///
     /// # Errors
@@ -203,7 +221,7 @@ impl Axle {
         self.stand.rest()
     }
 
-    /// Returns to the design position. The loads on the wheels stay.
+    /// Returns to the static state or the design position. The loads on the wheels stay.
     pub fn reset(&mut self) {
         self.stand.reset();
     }

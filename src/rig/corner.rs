@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use super::adjust::{self, AdjustError, Adjustment};
 use super::channel::Channel;
 use super::compliance::Compliance;
 use super::hold::Hold;
@@ -32,6 +33,15 @@ pub enum RigError {
     /// The mechanism cannot be solved.
     #[error(transparent)]
     System(#[from] SystemError),
+    /// The static state that the model asks for is out of reach.
+    #[error(transparent)]
+    Adjust(Box<AdjustError>),
+}
+
+impl From<AdjustError> for RigError {
+    fn from(error: AdjustError) -> Self {
+        Self::Adjust(Box::new(error))
+    }
 }
 
 /// One corner of a vehicle on the rig.
@@ -48,13 +58,15 @@ pub struct Corner {
     elements: Vec<Channel>,
     measures_compliance: bool,
     steering: Steering,
+    adjustments: Vec<Adjustment>,
 }
 
 impl Corner {
-    /// Puts a model on the rig at its design position.
+    /// Puts a model on the rig in its static state: with adjusters and ride height as `[static]` of the model
+    /// asks for, else at the design position. Travel and all changes count from there.
     ///
     /// # Errors
-    /// [`RigError`] for geometry without meaning or a wheel that cannot move.
+    /// [`RigError`] for geometry without meaning, a wheel that cannot move or a static state out of reach.
     pub fn new(model: &Model, setup: &Setup) -> Result<Self, RigError> {
         Self::with_loads(model, setup, LoadPoint::default())
     }
@@ -64,12 +76,14 @@ impl Corner {
     /// # Errors
     /// As for [`Self::new`].
     pub fn with_loads(model: &Model, setup: &Setup, at: LoadPoint) -> Result<Self, RigError> {
+        let set = adjust::corner(model, setup)?;
+        let home = set.as_ref().map(|set| set.home);
         let mut suspension = model.suspension(setup)?;
         let own_forces = suspension.mechanism.forces().len();
         let loads = match model.has_forces() {
             true => {
                 let Suspension { mechanism, wheel, .. } = &mut suspension;
-                Some(WheelLoads::add(mechanism, wheel, "", at, model.axes)?)
+                Some(WheelLoads::add(mechanism, wheel, "", at, home.as_ref(), model.axes)?)
             }
             false => None,
         };
@@ -77,13 +91,17 @@ impl Corner {
             WheelSupport::Held => vec![],
             WheelSupport::Free => vec![suspension.travel],
         };
-        let stand = Stand::new(suspension.mechanism.clone(), &released, model.axes)?;
+        let mut stand = Stand::new(suspension.mechanism.clone(), &released, model.axes)?;
+        if let Some(set) = &set {
+            let drivers = set.drivers(&suspension.adjusters, suspension.travel);
+            stand.start_from(&drivers).map_err(|stop| AdjustError::Start(Box::new(stop)))?;
+        }
         let elements = match loads {
             Some(_) => stand.model_channels(own_forces, &[suspension.travel]),
             None => vec![],
         };
         Ok(Self {
-            station: Station::of_corner(&suspension, model, setup),
+            station: Station::of_corner(&suspension, model, setup).on(&stand, home),
             load: Load::default(),
             suspension,
             stand,
@@ -92,6 +110,7 @@ impl Corner {
             own_forces,
             measures_compliance: false,
             steering: model.steering.unwrap_or_default(),
+            adjustments: set.map_or_else(Vec::new, |set| set.adjustments),
         })
     }
 
@@ -107,6 +126,11 @@ impl Corner {
         let kinematic = self.loads.is_none();
         let motions = self.freedom().free_motions.iter();
         motions.filter(move |motion| kinematic && self.station.is_moved(motion))
+    }
+
+    /// What the adjusters are set to; none where the model asks for no static state.
+    pub fn adjustments(&self) -> &[Adjustment] {
+        &self.adjustments
     }
 
     /// The suspension.
@@ -145,8 +169,8 @@ impl Corner {
         }
     }
 
-    /// Moves the wheel to a travel and the rack to a displacement (m, both from the design
-    /// position) from where they are. A suspension without a rack ignores `rack`, a wheel that stands
+    /// Moves the wheel to a travel and the rack to a displacement (m, both from the static
+    /// state or the design position) from where they are. A suspension without a rack ignores `rack`, a wheel that stands
     /// on its tyre ignores `travel`.
     ///
     /// # Errors
@@ -181,7 +205,7 @@ impl Corner {
         self.stand.rest()
     }
 
-    /// Returns to the design position. The load on the wheel stays.
+    /// Returns to the static state or the design position. The load on the wheel stays.
     pub fn reset(&mut self) {
         self.stand.reset();
     }

@@ -1,16 +1,17 @@
 //! Loads that the rig puts on a wheel.
 
+use super::adjust::Home;
+use super::line::Wheel;
 use crate::mechanism::{
     BodyId, ForceId, ForceKind, Law, LoadFrame, Mechanism, MechanismError, Owner,
 };
 use crate::model::{self, Axes, LOAD_COMPONENTS};
 use crate::solve::equilibrium::Equilibrium;
-use crate::vector::{add, scale, sub, unit};
 
 /// Where a load acts on the wheel's body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LoadPoint {
-    /// The point of the wheel's body that is the contact patch at the design position.
+    /// The point of the wheel's body that is the contact patch in the static state, or at the design position.
     #[default]
     ContactPatch,
     /// The wheel centre.
@@ -47,15 +48,15 @@ impl WheelLoads {
         wheel: &model::Wheel,
         prefix: &str,
         point: LoadPoint,
+        home: Option<&Home>,
         axes: Axes,
     ) -> Result<Self, MechanismError> {
         let at = match point {
             LoadPoint::WheelCenter => wheel.center,
             LoadPoint::ContactPatch => {
                 let center = mechanism.points()[wheel.center.index()].position;
-                let spin = wheel.spin_axis;
-                let down = unit(sub(scale(spin[2], spin), [0.0, 0.0, 1.0]));
-                let patch = add(center, scale(wheel.radius, down));
+                let disc = Wheel { center, spin: wheel.spin_axis, radius: wheel.radius };
+                let patch = home.map_or_else(|| disc.contact_patch(), |home| home.patch(center));
                 mechanism.add_point(&format!("{prefix}contact patch at design"), patch)?
             }
         };

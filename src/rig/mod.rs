@@ -4,6 +4,7 @@
 //! from side to side; [`Sweep`] does so along an event and keeps what was reached.
 //! [`Compliance`] says how wheels that the rig lets go give way to loads.
 
+mod adjust;
 mod axle;
 mod channel;
 mod compliance;
@@ -19,6 +20,7 @@ mod sweep;
 mod target;
 
 pub use crate::model::LOAD_COMPONENTS;
+pub use adjust::{AdjustError, Adjustment, OutOfReach};
 pub use axle::Axle;
 pub use channel::Channel;
 pub use compliance::Compliance;

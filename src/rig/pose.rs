@@ -2,8 +2,9 @@
 
 use super::line::{Line, Wheel};
 use crate::model::{Axes, Side, Vehicle};
-use crate::scalar::Scalar;
+use crate::scalar::{Dual, Scalar};
 use crate::solve::Twist;
+use crate::vector::cross;
 
 /// The vertical load of a wheel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,5 +153,50 @@ impl<S: Scalar> Pose<S> {
     /// σ: +1 for a left wheel, −1 for a right one, the sign of y outboard.
     pub fn sigma(&self) -> S {
         S::from_f64(self.side.sign())
+    }
+
+    /// The corner in a motion that leaves travel and rack as they are, with the rate of the wheel load. How
+    /// the motions change is not known in it.
+    pub(super) fn moving(&self, motion: &Motion<S>, load_rate: Option<S>) -> Pose<Dual<S>> {
+        let still = |value: S| Dual::new(value, S::from_f64(0.0));
+        let still_line =
+            |line: Line<S>| Line { from: line.from.map(still), to: line.to.map(still) };
+        let moving_line = |line: Option<Line<S>>, rates: &Option<Line<S>>| {
+            line.zip(rates.as_ref()).map(|(line, rates)| line.moving(rates))
+        };
+        let turned = |row: usize, column: usize| {
+            let turning = cross(motion.wheel.rotation, self.rotation.map(|row| row[column]));
+            Dual::new(self.rotation[row][column], turning[row])
+        };
+        let Design { wheel, spring, damper } = self.design;
+        Pose {
+            travel: still(self.travel),
+            rack: still(self.rack),
+            wheel: self.wheel.moving(&motion.wheel),
+            rotation: std::array::from_fn(|row| std::array::from_fn(|column| turned(row, column))),
+            steer_axis: moving_line(self.steer_axis, &motion.steer_axis),
+            spring: moving_line(self.spring, &motion.spring),
+            damper: moving_line(self.damper, &motion.damper),
+            design: Design {
+                wheel: Wheel {
+                    center: wheel.center.map(still),
+                    spin: wheel.spin.map(still),
+                    radius: still(wheel.radius),
+                },
+                spring: spring.map(still_line),
+                damper: damper.map(still_line),
+            },
+            motions: None,
+            load: self
+                .load
+                .zip(load_rate)
+                .map(|(load, rate)| WheelLoad { force: Dual::new(load.force, rate), rate: None }),
+            tyre: None,
+            compliance: None,
+            other: None,
+            vehicle: self.vehicle,
+            side: self.side,
+            axes: self.axes,
+        }
     }
 }

@@ -54,6 +54,29 @@ impl<'a> Rates<'a> {
         self.equilibrium.driver_rate(driver).ok()
     }
 
+    /// How the force (N) or moment (N·m) that holds a driver grows with the value of another one. `None` as
+    /// for [`Self::driver_rate`].
+    ///
+    /// # Panics
+    /// If a driver belongs to another mechanism, or is an adjuster and holds nothing.
+    pub fn force_rate(&mut self, held: DriverId, by: DriverId) -> Option<f64> {
+        if !self.found {
+            return None;
+        }
+        let equation = self.equilibrium.at().equation_of(held);
+        Some(-self.equilibrium.tangent(by).ok()?.multiplier(equation))
+    }
+
+    /// The parameters of the state.
+    pub(super) fn parameters(&self) -> &[f64] {
+        self.equilibrium.at().parameters()
+    }
+
+    /// How three parameters, of which this is the first, change with the value of a driver.
+    pub(super) fn change_of_place(&self, driver: DriverId, first: usize) -> [f64; 3] {
+        self.equilibrium.at().driver_slots().rate(driver, first)
+    }
+
     /// The linearised equilibrium itself.
     pub fn equilibrium(&mut self) -> &mut Linearised<'a> {
         &mut self.equilibrium

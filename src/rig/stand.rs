@@ -167,7 +167,30 @@ impl Stand {
         Ok(report)
     }
 
-    /// Returns to the design position. Laws that were changed stay as they are.
+    /// Moves drivers to values (m or rad, from the design position) and takes the state that is reached there
+    /// for the one from which drivers count and to which [`Self::reset`] returns.
+    ///
+    /// # Errors
+    /// As for [`Self::move_to`].
+    pub(super) fn start_from(&mut self, targets: &[(DriverId, f64)]) -> Result<(), Stop> {
+        let mut values = vec![0.0; self.mechanism().drivers().len()];
+        for &(driver, value) in targets {
+            values[driver.index()] = value;
+        }
+        let state = if self.released.is_empty() {
+            self.move_to(targets)?;
+            self.equilibrium.state().to_vec()
+        } else {
+            // Where wheels that are let go come to rest is sought from the state in which the rig holds them.
+            self.system.move_to(targets)?;
+            self.system.state().to_vec()
+        };
+        self.system.start_from(&state, &values);
+        self.reset();
+        Ok(())
+    }
+
+    /// Returns to the start. Laws that were changed stay as they are.
     pub fn reset(&mut self) {
         self.system.reset();
         self.equilibrium.restart(&self.system);

@@ -1,5 +1,6 @@
 //! One wheel on the rig with all that belongs to it.
 
+use super::adjust::Home;
 use super::line::{Line, Wheel};
 use super::pose::{Design, Motion, Motions, Pose, TyreState, WheelLoad};
 use super::rates::Rates;
@@ -39,6 +40,10 @@ pub(super) struct Station {
     axes: Axes,
     /// The law of the model's tyre, whether or not the wheel stands on it.
     tyre_law: Option<Law>,
+    /// The static state, where the model asks for one.
+    home: Option<Home>,
+    /// Where the parameters are that say where the steer axis meets its bodies, where adjusters change them.
+    adjusted: [Option<usize>; 2],
 }
 
 impl Station {
@@ -61,6 +66,8 @@ impl Station {
             vehicle: model.vehicle,
             axes: model.axes,
             tyre_law: model.tyre_law().cloned(),
+            home: None,
+            adjusted: [None; 2],
         }
     }
 
@@ -86,7 +93,17 @@ impl Station {
             vehicle: model.vehicle,
             axes: model.axes,
             tyre_law: model.tyre_law().cloned(),
+            home: None,
+            adjusted: [None; 2],
         }
+    }
+
+    /// The same on a stand, with changes counted from a static state where there is one.
+    pub fn on(self, stand: &Stand, home: Option<Home>) -> Self {
+        let expansion = stand.system().expansion();
+        let place = |(point, body)| expansion.adjusted_place(body, point);
+        let adjusted = self.steer_axis.map(|axis| [axis.lower, axis.upper].map(place));
+        Self { home, adjusted: adjusted.unwrap_or_default(), ..self }
     }
 
     /// Whether a motion moves the wheel, its steer axis or its spring.
@@ -129,6 +146,7 @@ impl Station {
         let point = |(point, body)| point_position(mechanism, state, body, point);
         let driven = |driver| stand.driver_value(driver);
         let design = self.design(mechanism, state);
+        let adjusted = self.adjusted_places(stand);
         let disc = Wheel {
             center: point((wheel.center, wheel.body)),
             spin: rotation.map(|row| dot(row, wheel.spin_axis)),
@@ -142,8 +160,11 @@ impl Station {
             },
             rack: self.rack.map_or(0.0, driven),
             wheel: disc,
-            rotation,
-            steer_axis: steer_axis.map(|axis| Line::through([axis.lower, axis.upper].map(point))),
+            rotation: self.home.map_or(rotation, |home| relative(rotation, home.rotation)),
+            steer_axis: steer_axis.map(|axis| {
+                let ends = [(axis.lower, adjusted[0]), (axis.upper, adjusted[1])];
+                Line::through(ends.map(|(end, adjusted)| place(mechanism, state, end, adjusted)))
+            }),
             spring: spring.map(|spring| Line::through(spring.ends.map(point))),
             damper: damper.map(|damper| Line::through(damper.ends.map(point))),
             design,
@@ -174,32 +195,49 @@ impl Station {
         wheel: &Wheel<f64>,
     ) -> f64 {
         let body = self.chassis;
-        let design = Wheel {
-            center: mechanism.points()[self.wheel.center.index()].position,
-            spin: self.wheel.spin_axis,
-            radius: self.wheel.radius,
-        };
+        let design = self.start(mechanism);
         let [x, y, z, ..] = state[body.index()];
         let up = rotation(state, body).map(|row| row[2]);
         let height = self.driven(&design)[2] - mechanism.bodies()[body.index()].origin[2];
         dot(up, sub(self.driven(wheel), [x, y, z])) - height
     }
 
-    /// The design position, carried up and down with the chassis of a state, but not rolled: angles and
+    /// The wheel at the design position or in the static state.
+    fn start(&self, mechanism: &Mechanism) -> Wheel<f64> {
+        let center = mechanism.points()[self.wheel.center.index()].position;
+        let Self { wheel, .. } = self;
+        let design = Wheel { center, spin: wheel.spin_axis, radius: wheel.radius };
+        self.home.map_or(design, |home| home.wheel)
+    }
+
+    /// The design position or the static state, carried up and down with the chassis of a state, but not rolled: angles and
     /// ways are those from the design position in ground axes, as Lotus prints them in roll.
     fn design(&self, mechanism: &Mechanism, state: &[Coordinates<f64>]) -> Design<f64> {
-        let Self { wheel, spring, damper, chassis, .. } = self;
+        let Self { spring, damper, chassis, .. } = self;
         let origin = mechanism.bodies()[chassis.index()].origin;
         let sunk = state[chassis.index()][2] - origin[2];
-        let at = |point: PointId| add(mechanism.points()[point.index()].position, [0.0, 0.0, sunk]);
+        let carried = |place| add(place, [0.0, 0.0, sunk]);
+        let at = |point: PointId| mechanism.points()[point.index()].position;
         let line = |strut: &Option<StrutLine>| {
             strut.map(|strut| Line::through(strut.ends.map(|(point, _)| at(point))))
         };
+        let (spring, damper) = match self.home {
+            Some(home) => (home.spring, home.damper),
+            None => (line(spring), line(damper)),
+        };
+        let wheel = self.start(mechanism);
+        let along = |line: Line<f64>| Line { from: carried(line.from), to: carried(line.to) };
         Design {
-            wheel: Wheel { center: at(wheel.center), spin: wheel.spin_axis, radius: wheel.radius },
-            spring: line(spring),
-            damper: line(damper),
+            wheel: Wheel { center: carried(wheel.center), ..wheel },
+            spring: spring.map(along),
+            damper: damper.map(along),
         }
+    }
+
+    /// Where the ends of the steer axis are on their bodies, in body axes, where adjusters move them.
+    fn adjusted_places(&self, stand: &Stand) -> [Option<[f64; 3]>; 2] {
+        let h = stand.equilibrium().parameters();
+        self.adjusted.map(|first| first.map(|first| [h[first], h[first + 1], h[first + 2]]))
     }
 
     /// How the parts move with the drivers, those of other wheels held.
@@ -210,12 +248,17 @@ impl Station {
         Some(Motions { travel, rack, across: across.map(|motion| motion.wheel) })
     }
 
-    fn motion(
+    /// How the parts move with the value of a driver, relative to the chassis.
+    pub fn motion(
         &self,
         driver: DriverId,
         rates: &mut Rates<'_>,
         mechanism: &Mechanism,
     ) -> Option<Motion<f64>> {
+        // A joint whose place is adjusted moves on its body, too.
+        let now = rates.parameters();
+        let adjusted = self.adjusted.map(|first| first.map(|k| [now[k], now[k + 1], now[k + 2]]));
+        let changes = self.adjusted.map(|first| Some(rates.change_of_place(driver, first?)));
         let tangent = rates.tangent(driver)?;
         let twist = |body| tangent.twist(body).minus(&tangent.twist(self.chassis));
         let center = point_position(mechanism, tangent.state(), self.wheel.body, self.wheel.center);
@@ -229,9 +272,15 @@ impl Station {
         };
         Some(Motion {
             wheel: twist(self.wheel.body),
-            steer_axis: self
-                .steer_axis
-                .map(|axis| Line::through([axis.lower, axis.upper].map(velocity))),
+            steer_axis: self.steer_axis.map(|axis| {
+                let ends =
+                    [(axis.lower, adjusted[0], changes[0]), (axis.upper, adjusted[1], changes[1])];
+                Line::through(ends.map(|(end, adjusted, rate)| {
+                    let place = place(mechanism, tangent.state(), end, adjusted);
+                    let rate = rate.map_or([0.0; 3], |rate| turned(tangent.state(), end.1, rate));
+                    add(twist(end.1).at(place), rate)
+                }))
+            }),
             spring: self.spring.map(|spring| Line::through(spring.ends.map(velocity))),
             damper: self.damper.map(|damper| Line::through(damper.ends.map(velocity))),
         })
@@ -255,4 +304,28 @@ impl Station {
             WheelSupport::Free => Some(stand.equilibrium().loaded().force(self.tyre?).force[2]),
         }
     }
+}
+
+/// Where a point of a body is; `adjusted` is its place on the body where that is another one.
+fn place(
+    mechanism: &Mechanism,
+    state: &[Coordinates<f64>],
+    (point, body): (PointId, BodyId),
+    adjusted: Option<[f64; 3]>,
+) -> [f64; 3] {
+    let Some(local) = adjusted else {
+        return point_position(mechanism, state, body, point);
+    };
+    let [x, y, z, ..] = state[body.index()];
+    add([x, y, z], turned(state, body, local))
+}
+
+/// A direction of a body in the axes of the ground.
+fn turned(state: &[Coordinates<f64>], body: BodyId, direction: [f64; 3]) -> [f64; 3] {
+    rotation(state, body).map(|row| dot(row, direction))
+}
+
+/// The rotation from one orientation to another one: A Bᵀ.
+fn relative(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    a.map(|row| b.map(|other| dot(row, other)))
 }

@@ -8,7 +8,7 @@ use super::position::{Scales, move_bodies};
 use super::rank::undetermined;
 use super::system::System;
 use crate::assembly::{Elements, Inertias, Kkt, Numbering};
-use crate::mechanism::{DriverId, Expansion, Mechanism, Owner};
+use crate::mechanism::{DriverId, DriverSlots, Expansion, Mechanism, Owner};
 use crate::relation::Coordinates;
 
 /// The part of the largest stiffness times the size of the mechanism that forces are at least
@@ -32,7 +32,8 @@ pub struct Equilibrium {
     pub(super) driver_values: Vec<f64>,
     pub(super) scratch: Scratch,
     undetermined: Vec<usize>,
-    design: Vec<f64>,
+    // The parameters with all drivers at zero.
+    base: Vec<f64>,
 }
 
 pub(super) struct Problem {
@@ -86,7 +87,7 @@ impl Equilibrium {
             scratch: Scratch::new(position.h.len(), equations, unknowns),
             released: released.to_vec(),
             driver_values: drivers.map(|driver| system.driver_value(driver)).collect(),
-            design: expansion.parameters(&system.mechanism().positions()),
+            base: system.base().to_vec(),
             mechanism: system.mechanism().clone(),
             expansion: expansion.clone(),
             problem: Problem {
@@ -154,6 +155,11 @@ impl Equilibrium {
         &mut self.problem.state
     }
 
+    /// Which parameters the drivers change.
+    pub fn driver_slots(&self) -> &DriverSlots {
+        self.expansion.driver_slots()
+    }
+
     /// The parameters h of all relations, with the current values of the drivers.
     pub fn parameters(&self) -> &[f64] {
         &self.problem.h
@@ -191,9 +197,9 @@ impl Equilibrium {
 
     /// Sets the value (m or rad, from the design position) of a driver for the next solution.
     pub fn set_driver(&mut self, driver: DriverId, value: f64) {
-        let slot = self.expansion.driver_slot(driver);
         self.driver_values[driver.index()] = value;
-        self.problem.h[slot] = self.design[slot] + value;
+        let slots = self.expansion.driver_slots();
+        slots.set(&self.base, &self.driver_values, &mut self.problem.h);
     }
 
     /// How many times its matrix was factorised since it was made: the effort.

@@ -126,7 +126,7 @@ pub(super) fn report(
     let mut report = FreedomReport {
         bodies: mechanism.bodies().len() - 1,
         degrees_of_freedom: 0,
-        drivers: mechanism.drivers().len(),
+        drivers: mechanism.driver_ids().filter(|&id| mechanism.adjuster(id).is_none()).count(),
         redundant: vec![],
         free_motions: vec![],
         blocked_drivers: vec![],

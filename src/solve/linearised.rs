@@ -74,6 +74,11 @@ impl Equilibrium {
 }
 
 impl<'a> Linearised<'a> {
+    /// The equilibrium.
+    pub fn at(&self) -> &Equilibrium {
+        self.equilibrium
+    }
+
     /// The same, with drivers that are released held where they are. Their tangents are motions along
     /// states of equilibrium in which the driven value changes, and with it the force that this takes.
     #[must_use]
@@ -81,7 +86,7 @@ impl<'a> Linearised<'a> {
         let Equilibrium { problem, expansion, scratch, .. } = &mut *self.equilibrium;
         let released = |driver: &DriverId| {
             let mut equations = expansion.equations_of(Owner::Driver(*driver));
-            equations.all(|equation| problem.numbering.row(equation).is_none())
+            equations.any(|equation| problem.numbering.row(equation).is_none())
         };
         scratch.hold.drivers.clear();
         scratch.hold.drivers.extend(drivers.iter().copied().filter(released));
@@ -183,7 +188,8 @@ impl<'a> Linearised<'a> {
                 *out = -rates[k] * inverse;
             }
         } else {
-            if !it.is_held(it.equation_of(driver)) {
+            let left_out = |equation| !it.is_held(equation);
+            if it.expansion.equations_of(Owner::Driver(driver)).any(left_out) {
                 return Err(Singular);
             }
             it.change_parameters(driver);
@@ -208,13 +214,19 @@ impl Equilibrium {
     fn change_parameters(&mut self, driver: DriverId) {
         let (problem, scratch) = (&mut self.problem, &mut self.scratch);
         scratch.dh.fill(0.0);
-        scratch.dh[self.expansion.driver_slot(driver)] = 1.0;
+        self.expansion.driver_slots().add([(driver, 1.0)], &mut scratch.dh);
         problem.kkt.terms().design_products(
             &problem.state,
             &problem.h,
             &scratch.dh,
             Some(&problem.lambda),
             &mut scratch.phi_change,
+            &mut scratch.force_change,
+        );
+        problem.kkt.elements_mut().add_design_force(
+            &problem.state,
+            &problem.h,
+            &scratch.dh,
             &mut scratch.force_change,
         );
     }

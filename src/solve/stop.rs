@@ -9,7 +9,7 @@ use super::position::Position;
 use super::rank::{scaled_jacobian, weakest};
 use super::statics::StaticFailure;
 use super::travel::Failure;
-use crate::assembly::{Terms, design_state};
+use crate::assembly::Terms;
 use crate::mechanism::{BodyId, DriverId, Expansion, JointKind, Mechanism, Owner};
 use crate::relation::Coordinates;
 use crate::vector::{cross, norm, scale, sub, unit};
@@ -239,7 +239,7 @@ fn plain(value: f64) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-/// A singular value this much smaller than at the design position is a dead centre.
+/// A singular value this much smaller than with all drivers at zero is a dead centre.
 const DEAD_CENTRE: f64 = 0.03;
 
 /// Finds the reason in the state that was reached.
@@ -248,7 +248,7 @@ pub(super) fn explain(
     expansion: &Expansion,
     terms: &Terms,
     position: &Position,
-    design: &[f64],
+    (start, base): (&[Coordinates<f64>], &[f64]),
     failure: Failure,
 ) -> StopReason {
     if let Failure::Inconsistent { equation, value } = failure {
@@ -262,9 +262,9 @@ pub(super) fn explain(
         let (jacobian, _) = scaled_jacobian(expansion, terms, state, h, scales);
         weakest(jacobian.as_ref(), position.kept().len())
     };
-    let at_design = weakest(&design_state(mechanism.bodies()), design);
+    let at_start = weakest(start, base);
     let here = weakest(&position.state, &position.h);
-    if let (Some((reference, ..)), Some((value, left, right))) = (at_design, here)
+    if let (Some((reference, ..)), Some((value, left, right))) = (at_start, here)
         && (value < DEAD_CENTRE * reference || matches!(failure, Failure::Singular))
     {
         let motion = twists(&position.state, &right, scales);

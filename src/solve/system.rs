@@ -80,7 +80,9 @@ pub struct System {
     freedom: FreedomReport,
     position: Position,
     travel: Travel,
-    design: Vec<f64>,
+    // State and parameters with all drivers at zero.
+    start: Vec<Coordinates<f64>>,
+    base: Vec<f64>,
     targets: Vec<f64>,
 }
 
@@ -111,20 +113,19 @@ impl System {
         }
         let left_out: Vec<usize> = freedom.redundant.iter().map(|r| r.equation).collect();
         let numbering = Numbering::new(&expansion, &left_out);
-        let design = h.clone();
+        let (start, base) = (state.clone(), h.clone());
         let position = Position::new(terms.clone(), numbering, scales, sizes, state, h);
-        let slots = (0..mechanism.drivers().len())
-            .map(|driver| expansion.driver_slot(DriverId(driver)))
-            .collect();
+        let (slots, drivers) = (expansion.driver_slots().clone(), mechanism.drivers().len());
         Ok(Self {
-            travel: Travel::new(&position, slots, !left_out.is_empty()),
+            travel: Travel::new(&position, slots, drivers, !left_out.is_empty()),
             targets: vec![0.0; mechanism.drivers().len()],
             mechanism,
             expansion,
             terms,
             freedom,
             position,
-            design,
+            start,
+            base,
         })
     }
 
@@ -202,17 +203,29 @@ impl System {
     /// # Panics
     /// If the driver belongs to another mechanism.
     pub fn tangent(&mut self, driver: DriverId) -> Result<Tangent<'_>, Singular> {
-        let rates = self.travel.driver_tangent(&mut self.position, driver.index())?;
+        let rates = self.travel.driver_tangent(&mut self.position, driver)?;
         Ok(Tangent::new(&self.position.state, rates))
     }
 
-    /// Returns to the design position with all drivers at zero.
+    /// Returns to where all drivers are at zero: the design position, or the state that
+    /// [`Self::start_from`] was given.
     pub fn reset(&mut self) {
-        let design = design_state(self.mechanism.bodies());
-        self.position.state.copy_from_slice(&design);
-        self.position.h.copy_from_slice(&self.design);
+        self.position.state.copy_from_slice(&self.start);
+        self.position.h.copy_from_slice(&self.base);
         self.targets.fill(0.0);
         self.travel.reset();
+    }
+
+    /// Takes a state with these values of drivers (m or rad) for the one that all drivers count from, and goes
+    /// there. The joints have to hold in it.
+    ///
+    /// # Panics
+    /// If state or values belong to another mechanism.
+    pub fn start_from(&mut self, state: &[Coordinates<f64>], values: &[f64]) {
+        let base = self.base.clone();
+        self.expansion.driver_slots().set(&base, values, &mut self.base);
+        self.start.copy_from_slice(state);
+        self.reset();
     }
 
     /// Where a point of a body is (m). The point moves with the body, whichever joint it belongs to.
@@ -230,6 +243,11 @@ impl System {
     /// If the body belongs to another mechanism.
     pub fn rotation(&self, body: BodyId) -> [[f64; 3]; 3] {
         motion::rotation(self.state(), body)
+    }
+
+    /// The parameters with all drivers at zero.
+    pub(super) fn base(&self) -> &[f64] {
+        &self.base
     }
 
     pub(super) fn position(&self) -> &Position {
@@ -261,8 +279,8 @@ impl System {
         let mut report = StepReport::default();
         let mut way = f64::INFINITY;
         loop {
-            let Self { travel, position, design, targets, .. } = self;
-            let Err(failure) = travel.move_to(position, design, targets, &mut report) else {
+            let Self { travel, position, base, targets, .. } = self;
+            let Err(failure) = travel.move_to(position, base, targets, &mut report) else {
                 return Ok(report);
             };
             let remaining = travel.remaining(targets);
@@ -300,7 +318,7 @@ impl System {
             &self.expansion,
             &self.terms,
             &self.position,
-            &self.design,
+            (&self.start, &self.base),
             failure,
         )
     }

@@ -9,6 +9,7 @@ use super::linear::{LinearSolver, Singular};
 use super::newton::{Equations, newton};
 use super::position::{Position, move_bodies};
 use super::system::StepReport;
+use crate::mechanism::{DriverId, DriverSlots};
 use crate::relation::Coordinates;
 
 /// The corrector: few iterations, each step much shorter than the one before.
@@ -63,7 +64,7 @@ enum Factorised {
 /// The state of a continuation and its scratch space.
 pub(super) struct Travel {
     linear: Box<dyn LinearSolver>,
-    slots: Vec<usize>,
+    slots: DriverSlots,
     values: Vec<f64>,
     start_values: Vec<f64>,
     dh: Vec<f64>,
@@ -76,12 +77,17 @@ pub(super) struct Travel {
 }
 
 impl Travel {
-    pub fn new(position: &Position, slots: Vec<usize>, check_left_out: bool) -> Self {
+    pub fn new(
+        position: &Position,
+        slots: DriverSlots,
+        drivers: usize,
+        check_left_out: bool,
+    ) -> Self {
         let size = position.size();
         Self {
             linear: position.linear_solver(),
-            values: vec![0.0; slots.len()],
-            start_values: vec![0.0; slots.len()],
+            values: vec![0.0; drivers],
+            start_values: vec![0.0; drivers],
             dh: vec![0.0; position.h.len()],
             start: position.state.clone(),
             tangent: vec![0.0; size],
@@ -98,7 +104,7 @@ impl Travel {
         &self.values
     }
 
-    /// Says that state and parameters are those of the design position again.
+    /// Says that state and parameters are those with all drivers at zero again.
     pub fn reset(&mut self) {
         self.values.fill(0.0);
         self.factorised = Factorised::Elsewhere;
@@ -131,9 +137,8 @@ impl Travel {
         }
         self.start_values.copy_from_slice(&self.values);
         self.dh.fill(0.0);
-        for (&slot, (from, to)) in self.slots.iter().zip(self.values.iter().zip(targets)) {
-            self.dh[slot] = to - from;
-        }
+        let ways = self.values.iter().zip(targets).map(|(from, to)| to - from).enumerate();
+        self.slots.add(ways.map(|(driver, way)| (DriverId(driver), way)), &mut self.dh);
         let sign = self.first_tangent(position).map_err(|Singular| Failure::Singular)?;
         self.factorised = Factorised::Near;
 
@@ -228,13 +233,13 @@ impl Travel {
     pub fn driver_tangent(
         &mut self,
         position: &mut Position,
-        driver: usize,
+        driver: DriverId,
     ) -> Result<&[f64], Singular> {
         if self.factorised != Factorised::Here {
             self.factorise(position)?;
         }
         self.dh.fill(0.0);
-        self.dh[self.slots[driver]] = 1.0;
+        self.slots.add([(driver, 1.0)], &mut self.dh);
         position.tangent(self.linear.as_mut(), &self.dh, &mut self.next_tangent)?;
         Ok(&self.next_tangent[..position.unknowns()])
     }
@@ -248,11 +253,11 @@ impl Travel {
     }
 
     fn set_drivers(&mut self, position: &mut Position, design: &[f64], targets: &[f64], t: f64) {
-        for (driver, &slot) in self.slots.iter().enumerate() {
-            let (from, to) = (self.start_values[driver], targets[driver]);
-            self.values[driver] = if t == 1.0 { to } else { from + t * (to - from) };
-            position.h[slot] = design[slot] + self.values[driver];
+        for (value, (from, to)) in self.values.iter_mut().zip(self.start_values.iter().zip(targets))
+        {
+            *value = if t == 1.0 { *to } else { from + t * (to - from) };
         }
+        self.slots.set(design, &self.values, &mut position.h);
     }
 
     /// The cosine of the angle between the tangents before and after a step.

@@ -7,7 +7,8 @@ use clap::Args;
 use hardpoint::factors::{self, Convention, basic};
 use hardpoint::mechanism::{BodyId, Force};
 use hardpoint::model::{Axes, Document, MechanismModel, Model, Quantity, Setup, Side, Units};
-use hardpoint::rig::{Axle, Corner, Pose, Stand};
+use hardpoint::report::write_adjustments;
+use hardpoint::rig::{Adjustment, Axle, Corner, Pose, Stand};
 use hardpoint::solve::{StaticFailure, StaticReport};
 
 use crate::failure::Failure;
@@ -16,7 +17,8 @@ use crate::output::{Output, SideName, axes_of_words};
 
 /// Check a model: mistakes in the file, degrees of freedom, redundant equations, free motions.
 ///
-/// Prints what the model is and its factors at the design position.
+/// Prints what the model is, what its adjusters are set to, and its factors at the design position or in its
+/// static state.
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
@@ -45,7 +47,7 @@ impl Check {
                 let poses = [Side::Left, Side::Right].map(|side| axle.pose(side));
                 let leaves = leaves_free(axle.stand());
                 let held = leaves.then(|| held(axle.rest(), model.units));
-                let parts = (axle.stand(), axle.forces());
+                let parts = (axle.stand(), axle.forces(), axle.adjustments());
                 Output::Stdout.write(|writer| suspension(writer, &model, parts, &poses, held))
             }
             Document::Suspension(model) => {
@@ -54,7 +56,7 @@ impl Check {
                 let poses = [corner.pose()];
                 let leaves = leaves_free(corner.stand());
                 let held = leaves.then(|| held(corner.rest(), model.units));
-                let parts = (corner.stand(), corner.forces());
+                let parts = (corner.stand(), corner.forces(), corner.adjustments());
                 Output::Stdout.write(|writer| suspension(writer, &model, parts, &poses, held))
             }
             Document::Mechanism(_) if self.axle => Err(Failure::Usage(
@@ -107,7 +109,7 @@ fn held(found: Result<StaticReport, StaticFailure>, units: Units) -> String {
 fn suspension(
     writer: &mut dyn Write,
     model: &Model,
-    (stand, forces): (&Stand, &[Force]),
+    (stand, forces, adjustments): (&Stand, &[Force], &[Adjustment]),
     poses: &[Pose<f64>],
     held: Option<String>,
 ) -> io::Result<()> {
@@ -129,8 +131,10 @@ fn suspension(
     writeln!(writer, "wheel radius   {radius} {length}")?;
     writeln!(writer)?;
     parts(writer, stand, forces, model.axes, held)?;
+    write_adjustments(&mut *writer, units, adjustments)?;
     writeln!(writer)?;
-    writeln!(writer, "at the design position:")?;
+    let set = model.is_adjusted();
+    writeln!(writer, "{}:", if set { "in the static state" } else { "at the design position" })?;
     if let [left, right] = poses {
         let [left, right] = [left, right].map(|pose| pose.side.name());
         writeln!(writer, "{:<24} {left:>12} {right:>12}", "")?;

@@ -64,6 +64,7 @@ impl Compliance {
         let Document::Suspension(model) = load(&self.model, self.side)? else {
             return usage("a compliance belongs to wheels; this file is a mechanism");
         };
+        let model = self.rig.set(model)?;
         let travel = length("--travel", self.travel, model.units)?;
         let rack = self.steering.rack(&model)?;
         let steers = model.steers();

@@ -67,7 +67,7 @@ impl Equilibrium {
         // Refused before the work is done.
         let output = Output::beside(&self.model, self.output.as_deref())?;
         match load(&self.model, self.side)? {
-            Document::Suspension(model) => self.suspension(&model, &output),
+            Document::Suspension(model) => self.suspension(&self.rig.set(model)?, &output),
             Document::Mechanism(model) => self.mechanism(&model, &output),
         }
     }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use hardpoint::model::{Axes, Chassis, Document, Model, WheelSupport};
 use hardpoint::report::{FactorSheet, write_definitions};
-use hardpoint::rig::{Axle, Corner, Pose, RigError};
+use hardpoint::rig::{Adjustment, Axle, Corner, Pose, RigError};
 use hardpoint::solve::{FreeMotion, Stop};
 
 use crate::failure::Failure;
@@ -41,7 +41,8 @@ pub struct Factors {
     /// wheels together.
     #[arg(long, conflicts_with = "side")]
     axle: bool,
-    /// Wheel travel from the design position, + jounce [default: 0]. Both wheels of an axle.
+    /// Wheel travel from the design position or the static state of the model, + jounce [default: 0]. Both
+    /// wheels of an axle.
     #[arg(long, allow_negative_numbers = true, value_name = "T")]
     travel: Option<f64>,
     #[command(flatten)]
@@ -62,6 +63,9 @@ pub struct Factors {
     output: Option<PathBuf>,
 }
 
+/// The wheels at the state, and what their adjusters are set to.
+type State = (Vec<Pose<f64>>, Vec<Adjustment>);
+
 impl Factors {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
@@ -73,7 +77,7 @@ impl Factors {
         // Refused before the work is done.
         let output = Output::beside(path, self.output.as_deref())?;
         match document {
-            Document::Suspension(model) => self.suspension(&model, path, &output),
+            Document::Suspension(model) => self.suspension(&self.rig.set(model)?, path, &output),
             Document::Mechanism(_) => Err(Failure::Usage(
                 "factors belong to suspensions; this file is a mechanism".into(),
             )),
@@ -84,10 +88,10 @@ impl Factors {
         let travel = length("--travel", self.travel, model.units)?;
         let rack = self.steering.rack(model)?;
         let rig = |error| Failure::Rig(path.display().to_string(), Box::new(error));
-        let poses = if self.axle {
-            self.axle(model, travel, rack, rig)?.to_vec()
+        let (poses, adjustments) = if self.axle {
+            self.axle(model, travel, rack, rig)?
         } else {
-            vec![self.corner(model, travel, rack, rig)?]
+            self.corner(model, travel, rack, rig)?
         };
         let sheet = FactorSheet {
             name: &model.name,
@@ -95,6 +99,7 @@ impl Factors {
             drive: self.rig.drive(),
             convention: self.convention.into(),
             poses: &poses,
+            adjustments: &adjustments,
         };
         let named = self.output.as_deref().and_then(Format::of);
         output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {
@@ -110,7 +115,7 @@ impl Factors {
         travel: f64,
         rack: f64,
         rig: impl Fn(RigError) -> Failure,
-    ) -> Result<Pose<f64>, Failure> {
+    ) -> Result<State, Failure> {
         let setup = self.rig.setup(WheelSupport::Held, Chassis::Fixed);
         let load = self.rig.load(model)?;
         let mut corner = Corner::with_loads(model, &setup, self.rig.point()).map_err(rig)?;
@@ -118,7 +123,7 @@ impl Factors {
         corner.set_load(&load);
         corner.move_to(travel, rack).map_err(|stop| not_reached(stop, model.axes))?;
         warn_of_free(corner.free_wheel_motions(), model.axes);
-        Ok(corner.pose())
+        Ok((vec![corner.pose()], corner.adjustments().to_vec()))
     }
 
     fn axle(
@@ -127,7 +132,7 @@ impl Factors {
         travel: f64,
         rack: f64,
         rig: impl Fn(RigError) -> Failure,
-    ) -> Result<[Pose<f64>; 2], Failure> {
+    ) -> Result<State, Failure> {
         let setup = self.rig.setup(WheelSupport::Held, Chassis::Fixed);
         let load = self.rig.axle_loads(model)?;
         let mut axle = Axle::with_loads(model, &setup, self.rig.point()).map_err(rig)?;
@@ -135,7 +140,7 @@ impl Factors {
         axle.set_load(&load);
         axle.move_to([travel; 2], rack).map_err(|stop| not_reached(stop, model.axes))?;
         warn_of_free(axle.free_wheel_motions(), model.axes);
-        Ok(axle.poses())
+        Ok((axle.poses().to_vec(), axle.adjustments().to_vec()))
     }
 }
 

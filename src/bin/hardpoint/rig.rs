@@ -10,7 +10,7 @@ use hardpoint::programme::{Ranges, Run, Stage, standard};
 use hardpoint::report::{
     ComplianceReport, FactorSheet, ProgrammeSummary, StageResult, SweepReport,
 };
-use hardpoint::rig::{Axle, Compliance, LoadPoint, Pose};
+use hardpoint::rig::{Adjustment, Axle, Compliance, LoadPoint, Pose};
 
 use crate::failure::Failure;
 use crate::load;
@@ -66,6 +66,16 @@ pub struct Rig {
     moment: Option<f64>,
 }
 
+/// The static position.
+struct AtRest {
+    /// The left and the right wheel.
+    poses: [Pose<f64>; 2],
+    /// What the adjusters are set to.
+    adjustments: Vec<Adjustment>,
+    /// How the wheels give way, where forces hold them.
+    compliance: Option<Compliance>,
+}
+
 impl Rig {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
@@ -82,7 +92,7 @@ impl Rig {
             kinematic: self.kinematic,
         };
         let folder = self.folder()?;
-        let (poses, compliance) = self.at_rest(&model, &setup)?;
+        let at_rest = self.at_rest(&model, &setup)?;
         fs::create_dir_all(&folder)
             .map_err(|error| Failure::Output(folder.display().to_string(), error))?;
         let progress = Progress::new(stages.iter().map(Stage::states).sum());
@@ -100,12 +110,13 @@ impl Rig {
             });
         }
         progress.clear();
-        self.write_rest(&model, &setup, &folder, &poses, compliance.as_ref())?;
+        self.write_rest(&model, &setup, &folder, &at_rest)?;
         let summary = ProgrammeSummary {
             model: &model,
             drive: setup.drive,
             convention: self.convention.into(),
-            poses: &poses,
+            poses: &at_rest.poses,
+            adjustments: &at_rest.adjustments,
             stages: &results,
         };
         Output::File(folder.join("summary.txt")).write(|writer| summary.write(writer))?;
@@ -145,11 +156,7 @@ impl Rig {
     }
 
     /// Both wheels at the static position, and how they give way there.
-    fn at_rest(
-        &self,
-        model: &Model,
-        setup: &Setup,
-    ) -> Result<([Pose<f64>; 2], Option<Compliance>), Failure> {
+    fn at_rest(&self, model: &Model, setup: &Setup) -> Result<AtRest, Failure> {
         let rig = |error| Failure::Rig(self.model.display().to_string(), Box::new(error));
         let mut axle = Axle::new(model, setup).map_err(rig)?;
         axle.measure_compliance(true);
@@ -157,7 +164,11 @@ impl Rig {
             let axes = axes_of_words(model.axes, &stop.to_string());
             Failure::Stopped(vec![stop], format!("the static position was not reached{axes}"))
         })?;
-        Ok((axle.poses(), axle.compliance().ok()))
+        Ok(AtRest {
+            poses: axle.poses(),
+            adjustments: axle.adjustments().to_vec(),
+            compliance: axle.compliance().ok(),
+        })
     }
 
     fn write_stage(
@@ -206,8 +217,7 @@ impl Rig {
         model: &Model,
         setup: &Setup,
         folder: &Path,
-        poses: &[Pose<f64>; 2],
-        compliance: Option<&Compliance>,
+        AtRest { poses, adjustments, compliance }: &AtRest,
     ) -> Result<(), Failure> {
         let sheet = FactorSheet {
             name: &model.name,
@@ -215,6 +225,7 @@ impl Rig {
             drive: setup.drive,
             convention: self.convention.into(),
             poses,
+            adjustments,
         };
         Output::File(folder.join("factors.csv")).write(|writer| sheet.write_csv(writer))?;
         let Some(compliance) = compliance else { return Ok(()) };

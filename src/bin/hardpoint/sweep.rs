@@ -153,7 +153,7 @@ impl Sweep {
         // Refused before the work is done.
         let output = Output::beside(&self.model, self.output.as_deref())?;
         match document {
-            Document::Suspension(model) => self.suspension(&model, &output),
+            Document::Suspension(model) => self.suspension(&self.rig.set(model)?, &output),
             Document::Mechanism(model) => self.mechanism(&model, &output),
         }
     }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::super::setup::Chassis;
 use super::Geometry;
 use crate::mechanism::{Force, Mechanism, MechanismError};
 use crate::model::diagnostics::Report;
@@ -29,7 +30,7 @@ impl Geometry<'_> {
                 note(span, &error, report);
             }
         };
-        if let Some(tyre) = self.model.tyre_force() {
+        if let Some(tyre) = self.model.tyre_force(Chassis::Fixed) {
             add(&places.tyre, &tyre);
         }
         for (span, force) in places.forces.iter().zip(&loads.forces) {

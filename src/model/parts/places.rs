@@ -53,7 +53,7 @@ impl Parts<'_> {
     }
 
     /// A direction: two points, or the name of an axis of the file.
-    pub(super) fn direction(
+    pub(crate) fn direction(
         &self,
         section: &mut Section,
         key: &'static str,
