@@ -53,6 +53,7 @@
 pub mod assembly;
 pub mod energy;
 pub mod factors;
+pub mod import;
 pub mod kernels;
 pub mod mechanism;
 pub mod model;

@@ -31,6 +31,7 @@ pub use architecture::{Architecture, BodyRole, PointRole, SteerAxis};
 pub use axes::{Axes, Side};
 pub use axle::{AxleSide, AxleSuspension};
 pub use diagnostics::{Mistake, ModelDiagnostics};
+pub(crate) use diagnostics::{Report, SourceFile};
 pub use load::Document;
 pub use loads::{AntiRollBar, JointBushing, Tyre, TyreContact};
 pub use mechanism_file::MechanismModel;
@@ -42,7 +43,6 @@ pub use vehicle::{Axle, Brakes, Vehicle};
 
 use crate::mechanism::{Force, MassProperties};
 use crate::vector::{add, scale, sub, unit};
-use diagnostics::Report;
 use loads::Loads;
 
 /// One corner of a vehicle, in SI units and ISO 8855 axes (x forward, y left, z up).
