@@ -52,6 +52,7 @@
 
 pub mod assembly;
 pub mod energy;
+pub mod export;
 pub mod factors;
 pub mod import;
 pub mod kernels;

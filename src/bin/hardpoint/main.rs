@@ -4,8 +4,10 @@ mod check;
 mod compliance;
 mod equilibrium;
 mod events;
+mod export;
 mod factors;
 mod failure;
+mod import;
 mod loads;
 mod output;
 mod progress;
@@ -44,7 +46,9 @@ enum Command {
     Check(check::Check),
     Compliance(compliance::Compliance),
     Equilibrium(equilibrium::Equilibrium),
+    Export(export::Export),
     Factors(factors::Factors),
+    Import(import::Import),
     Settle(settle::Settle),
     Sweep(sweep::Sweep),
 }
@@ -54,7 +58,9 @@ fn main() -> ExitCode {
         Command::Check(command) => command.run(),
         Command::Compliance(command) => command.run(),
         Command::Equilibrium(command) => command.run(),
+        Command::Export(command) => command.run(),
         Command::Factors(command) => command.run(),
+        Command::Import(command) => command.run(),
         Command::Settle(command) => command.run(),
         Command::Sweep(command) => command.run(),
     };
