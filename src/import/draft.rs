@@ -5,8 +5,10 @@ use std::path::Path;
 use super::options::{Options, read_text};
 use super::sheet::{Sheet, Value};
 use super::{ImportError, Imported, LeftOut, Mistakes};
+use crate::mechanism::{MassProperties, Mechanism};
 use crate::model::{
-    AngleUnit, Architecture, Axes, Document, ForceUnit, LengthUnit, MassUnit, Side, Units,
+    AngleUnit, Architecture, Axes, Axle, Document, ForceUnit, LengthUnit, MassUnit, Quantity, Side,
+    Units,
 };
 
 /// The radius (m) that is written where a source has none.
@@ -29,6 +31,8 @@ pub(crate) struct Draft {
     pub(crate) axes: Axes,
     /// `None` where the wheel centre tells the side.
     pub(crate) side: Option<Side>,
+    /// The axle that it belongs to, where that is known.
+    pub(crate) axle: Option<Axle>,
     pub(crate) units: Units,
     pub(crate) points: Vec<Point>,
     pub(crate) wheel_radius: Option<f64>,
@@ -109,6 +113,7 @@ impl Draft {
             template: architecture.to_owned(),
             axes: Axes::Iso8855,
             side: None,
+            axle: None,
             units,
             points: vec![],
             wheel_radius: None,
@@ -162,6 +167,7 @@ impl Draft {
             return Err(ImportError::whole(name, what, "check that it is the right one"));
         }
         let architecture = self.load_architecture(name)?;
+        self.drop_impossible_inertias();
         self.drop_what_has_no_place(&architecture);
         self.check_points(name, text, &architecture)?;
         self.assume(options, &architecture);
@@ -191,6 +197,29 @@ impl Draft {
             "name one with --architecture: one of {known}, or a file of your own with the points of the source"
         );
         Err(ImportError::whole(name, what, help))
+    }
+
+    /// Files of examples have inertias that no body can have, which a model must not: what remains is a point mass.
+    fn drop_impossible_inertias(&mut self) {
+        let units = self.units;
+        for body in &mut self.bodies {
+            let mass = MassProperties {
+                mass: Quantity::Mass.to_si(units, body.mass),
+                center: body.center.map(|x| Quantity::Length.to_si(units, x)),
+                inertia: body.inertia.map(|entry| Quantity::Inertia.to_si(units, entry)),
+            };
+            let mut trial = Mechanism::new("ground");
+            let id = trial.add_body("body", [0.0; 3]);
+            let possible = |mass| id.clone().and_then(|id| trial.set_mass(id, mass)).is_ok();
+            let (mut possible, point) = (possible, MassProperties { inertia: [0.0; 6], ..mass });
+            if !possible(mass) && possible(point) {
+                let why = "no body has such moments: the largest is more than the sum of the others, or one is below \
+                           zero; a point mass is written";
+                let what = format!("the inertia of {}", body.called);
+                self.left_out.push(LeftOut { line: body.line, what, why: why.to_owned() });
+                body.inertia = [0.0; 6];
+            }
+        }
     }
 
     /// Lists bodies, forces and bushings that the architecture has no place for.
@@ -293,9 +322,8 @@ impl Draft {
     /// What the source does not say and a model needs.
     fn assume(&mut self, options: &Options, architecture: &Architecture) {
         let unit = self.units.length;
-        if self.wheel_radius.is_none() {
-            self.wheel_radius = options.wheel_radius;
-        }
+        self.wheel_radius = self.wheel_radius.or(options.wheel_radius);
+        self.axle = self.axle.or(options.axle);
         if self.wheel_radius.is_none() {
             let radius = unit.from_metres(ASSUMED_RADIUS);
             self.wheel_radius = Some(radius);
@@ -347,6 +375,10 @@ impl Draft {
             }
             Spin::Unknown => {}
         }
+        if let Some(axle) = self.axle {
+            sheet.section("[vehicle]");
+            sheet.set("axle", &Value::from(axle.name()), "");
+        }
         for body in &self.bodies {
             sheet.section(&format!("[bodies.{}]", body.name));
             sheet.set("mass", &Value::from(body.mass), &body.called);
@@ -397,18 +429,19 @@ impl Draft {
 
 impl Part {
     fn write(&self, sheet: &mut Sheet) {
+        let called = if self.called == self.name { "" } else { &self.called };
         match &self.kind {
             PartKind::Force(kind, [i, j]) => {
                 sheet.section("[[forces]]");
                 self.comment(sheet);
-                sheet.set("name", &Value::from(self.name.as_str()), &self.called);
+                sheet.set("name", &Value::from(self.name.as_str()), called);
                 sheet.set("kind", &Value::from(*kind), "");
                 sheet.set("between", &Value::from([i.as_str(), j.as_str()]), "");
             }
             PartKind::Bushing(joint) => {
                 sheet.section(&format!("[bushings.{}]", self.name));
                 self.comment(sheet);
-                sheet.set("replaces", &Value::from(joint.as_str()), &self.called);
+                sheet.set("replaces", &Value::from(joint.as_str()), called);
             }
         }
         for (key, value) in &self.entries {

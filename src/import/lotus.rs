@@ -160,7 +160,7 @@ impl Shark<'_> {
             if BLOCKS.contains(&word) && !taken {
                 let why = match Some(index) == other {
                     true => "it is the other axle; import that one with --axle",
-                    false => "settings of Lotus; compliances are not imported",
+                    false => "settings of Lotus",
                 };
                 left_out.push(LeftOut {
                     line: index + 1,

@@ -6,14 +6,17 @@ use crate::model::Document;
 
 /// The same file as TOML: every key and every number is that of the JSON.
 pub(super) fn import(source: Source, root: &Json) -> Result<Imported, ImportError> {
-    let table = match toml_of(root) {
+    let mut table = match toml_of(root) {
         Some(toml::Value::Table(table)) => table,
         _ => {
-            return Err(
-                source.fault("the file has an empty value (null)", "give it a value or delete it")
-            );
+            let what = "the file has an empty value (null)";
+            return Err(source.fault(what, "give it a value or delete it"));
         }
     };
+    // The version is a whole number; all others may be written as such or not.
+    if table.get("format").and_then(toml::Value::as_float) == Some(1.0) {
+        table.insert("format".to_owned(), toml::Value::Integer(1));
+    }
     let text = toml::to_string(&table).map_err(|error| {
         source.fault(format!("it cannot be written as TOML: {error}"), "correct the file")
     })?;

@@ -46,7 +46,7 @@ pub struct Import {
     #[arg(long, value_enum)]
     axle: Option<AxleName>,
     /// The rolling radius of the tyre in the unit of the file, where the file has none.
-    #[arg(long, value_name = "RADIUS")]
+    #[arg(long, value_name = "RADIUS", allow_negative_numbers = true)]
     wheel_radius: Option<f64>,
     /// The folder of an Adams database: `mdids://NAME/…` and `<NAME>/…` lie there. May be repeated.
     #[arg(long, value_name = "NAME=FOLDER", value_parser = database)]

@@ -24,6 +24,9 @@ const KINDS: &[&str] = &[
     "REBOUNDSTOP_ASSEMBLY",
 ];
 
+const BUSHING_AXES: &str = "The subsystem does not hold the axes of its bushings. Here z of Adams/Car, which is x below, is \
+                            taken along the axis of the joint from rear to front, and y of Adams/Car, which is z below, upward.";
+
 /// No suspension has more of them; each may have a file of its own.
 const MOST_ELEMENTS: usize = 200;
 
@@ -65,7 +68,15 @@ pub(super) fn read(
         let part =
             element.property(source, options).and_then(|property| element.part(&property, draft));
         match part {
-            Ok(part) => draft.add_part(part),
+            Ok(part) => {
+                let bushing = matches!(part.kind, PartKind::Bushing(_));
+                let told =
+                    "the axes of bushings are not in a subsystem: see the comment of each bushing";
+                if bushing && !draft.assumed.iter().any(|assumed| assumed == told) {
+                    draft.assumed.push(told.to_owned());
+                }
+                draft.add_part(part);
+            }
             Err(why) => {
                 let what = format!("[{}] `{}`", block.name, element.usage);
                 draft.leave_out(block.line, what, why);
@@ -204,7 +215,7 @@ impl Element<'_> {
             damping[k] = scale * self.own(property, component.damping, given);
         }
         let preload = |group: &str| {
-            ["X", "Y", "Z"].map(|axis| number(format!("{group}_PRELOAD_{axis}")).unwrap_or(0.0))
+            ["Z", "X", "Y"].map(|axis| number(format!("{group}_PRELOAD_{axis}")).unwrap_or(0.0))
         };
         let offset = |group: &str| {
             ["X", "Y", "Z"].map(|axis| number(format!("{group}_OFFSET_{axis}")).unwrap_or(0.0))
@@ -220,7 +231,7 @@ impl Element<'_> {
             kind: PartKind::Bushing((*joint).to_owned()),
             entries: vec![
                 ("at", Value::from(*at)),
-                ("z_axis", Value::from(axis)),
+                ("x_axis", Value::from(axis)),
                 ("tables", Value::Tables(tables)),
                 ("damping", Value::from([x, y, z])),
                 ("rotational_damping", Value::from([rx, ry, rz])),
@@ -229,7 +240,7 @@ impl Element<'_> {
                 ("law", Value::from("torque")),
             ],
             points: vec![(*at).to_owned(), axis[0].to_owned(), axis[1].to_owned()],
-            comments: vec!["Its z axis is taken along the axis of the joint; the subsystem does not hold its axes.".to_owned()],
+            comments: vec![BUSHING_AXES.to_owned()],
         })
     }
 
@@ -295,11 +306,12 @@ const fn rotation(name: &'static str, table: &'static str) -> Component {
     }
 }
 
+/// Bushings of arms have z along the axis of the joint; here that is x, and the others follow in turn.
 const COMPONENTS: [Component; 6] = [
-    translation("FX", "x"),
-    translation("FY", "y"),
-    translation("FZ", "z"),
-    rotation("TX", "rx"),
-    rotation("TY", "ry"),
-    rotation("TZ", "rz"),
+    translation("FZ", "x"),
+    translation("FX", "y"),
+    translation("FY", "z"),
+    rotation("TZ", "rx"),
+    rotation("TX", "ry"),
+    rotation("TY", "rz"),
 ];

@@ -7,7 +7,7 @@ use crate::import::draft::{Draft, Point, Spin};
 use crate::import::names::our_name;
 use crate::import::options::Options;
 use crate::import::{ImportError, Imported, Mistakes, Source};
-use crate::model::{Architecture, Axes, Side};
+use crate::model::{Architecture, Axes, Axle, Side};
 
 pub(super) fn import(
     source: Source,
@@ -45,6 +45,9 @@ pub(super) fn import(
     draft.axes = options.axes.unwrap_or(Axes::Adams);
     let side = options.side.unwrap_or(Side::Left);
     draft.side = Some(side);
+    let role = header.and_then(|header| header.text("MINOR_ROLE")).unwrap_or_default();
+    let axles = [Axle::Front, Axle::Rear];
+    draft.axle = axles.into_iter().find(|axle| role.eq_ignore_ascii_case(axle.name()));
     points(source, orbit, template, side, &mut draft)?;
     draft.spin = parameters(orbit, side, &mut draft);
     forces::read(source, orbit, template, options, side, &mut draft)?;
