@@ -161,11 +161,11 @@ fn mutated(seed: &[u8], rng: &mut Rng) -> Vec<u8> {
                     bytes.split(|byte| *byte == b'\n').map(<[u8]>::to_vec).collect();
                 let (a, b) = (rng.usize(..lines.len()), rng.usize(..lines.len()));
                 if kind == 5 {
-                    lines.swap(a, b)
+                    lines.swap(a, b);
                 } else if rng.bool() {
-                    lines.insert(b, lines[a].clone())
+                    lines.insert(b, lines[a].clone());
                 } else {
-                    lines.truncate(b.max(1))
+                    lines.truncate(b.max(1));
                 }
                 bytes = lines.join(&b'\n');
             }

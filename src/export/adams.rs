@@ -46,7 +46,7 @@ pub(super) fn write(suspension: &Suspension) -> Option<Exported> {
 
 fn block(text: &mut String, name: &str, keys: &[(&str, &str)]) {
     // Writing into a text cannot fail.
-    let _ = writeln!(text, "${:->79}\n[{name}]", name);
+    let _ = writeln!(text, "${name:->79}\n[{name}]");
     for (key, value) in keys {
         let _ = writeln!(text, " {key:<14} = {value}");
     }

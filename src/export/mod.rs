@@ -1,6 +1,7 @@
 //! Models as files of other programs.
 //!
-//! The numbers are those of the model file, not those in SI that come of them, so that an export that is
+//! The numbers are those of the model file, not those in SI that come of them, so that an export that
+//! is
 //! imported again has the same.
 
 mod adams;
@@ -31,7 +32,8 @@ pub struct Exported {
     pub left_out: Vec<String>,
 }
 
-/// Writes the text of a model or mechanism file in another format. `name` is the path that messages show.
+/// Writes the text of a model or mechanism file in another format. `name` is the path that messages
+/// show.
 ///
 /// # Errors
 /// [`ModelDiagnostics`] where the model has mistakes, or where the format cannot hold it.

@@ -1,6 +1,7 @@
 //! Tables of points as comma-separated values.
 //!
-//! A row is `name,x,y,z`, or `name_x,value` as in spreadsheets with one coordinate in each row. The columns may
+//! A row is `name,x,y,z`, or `name_x,value` as in spreadsheets with one coordinate in each row. The
+//! columns may
 //! be named by a header, and lines such as `# length = mm` say what a table has no column for.
 
 use ::csv::{ReaderBuilder, StringRecord};
@@ -28,7 +29,7 @@ pub(super) fn import(source: Source, options: &Options) -> Result<Imported, Impo
             .fault("the file has no points", "write rows such as `lca_front,200.0,420.0,-270.0`"));
     }
     let head = Head { length: head.length.or(table.unit), ..head };
-    suspension(source, head, rows, options)
+    suspension(source, &head, rows, options)
 }
 
 /// What lines such as `# axes = iso8855` say.
@@ -42,7 +43,7 @@ fn head(text: &str, mistakes: &mut Mistakes) -> Head {
         };
         let (line, value) = (index + 1, value.trim().trim_matches([',', ';', '"']).trim());
         let mut wrong = |what: &str| {
-            mistakes.note(line, format!("`{value}` is no {what}"), "see docs/import.md")
+            mistakes.note(line, format!("`{value}` is no {what}"), "see docs/import.md");
         };
         let mut number = || {
             let number = value.parse().ok().filter(|number: &f64| number.is_finite());
@@ -119,7 +120,7 @@ impl Table {
         for record in reader.records() {
             match record {
                 Ok(record) => {
-                    let line = record.position().map_or(1, |place| place.line());
+                    let line = record.position().map_or(1, ::csv::Position::line);
                     let line = usize::try_from(line).unwrap_or(usize::MAX);
                     if record.iter().any(|cell| !cell.is_empty()) {
                         rows.push((line, record));

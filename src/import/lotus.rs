@@ -1,11 +1,13 @@
-//! Files of Lotus Suspension Analysis (SHARK): `.shk`, and tables of numbered points as its reports have them.
+//! Files of Lotus Suspension Analysis (SHARK): `.shk`, and tables of numbered points as its reports
+//! have them.
 
 use super::options::Options;
 use super::points::{Head, Row, suspension};
 use super::{ImportError, Imported, LeftOut, Mistakes, Source};
 use crate::model::{Axes, Axle, LengthUnit};
 
-/// The points of template type 1, a double wishbone with the damper on the lower wishbone, by their numbers.
+/// The points of template type 1, a double wishbone with the damper on the lower wishbone, by their
+/// numbers.
 const TYPE_1: &[(u32, &str)] = &[
     (1, "lca_front"),
     (2, "lca_rear"),
@@ -73,7 +75,7 @@ pub(super) fn import(source: Source, options: &Options) -> Result<Imported, Impo
         format: if shark { "Lotus SHARK" } else { "a Lotus table of points" },
         ..Head::default()
     };
-    let mut imported = suspension(source, head, rows, options)?;
+    let mut imported = suspension(source, &head, rows, options)?;
     if axes_assumed {
         imported.assumed.push(
             "the axes are those that Lotus starts with, x rearward, y right, z up; if not, import with --axes"
@@ -104,7 +106,8 @@ fn numbered(line: &str) -> Option<(u32, String, [f64; 3])> {
     Some((number, name.trim_matches([':', '-', ' ']).to_owned(), position))
 }
 
-/// The numbered rows of a report. Other lines are headings and text, of which those with numbers are listed.
+/// The numbered rows of a report. Other lines are headings and text, of which those with numbers are
+/// listed.
 fn table(lines: &[&str], mistakes: &mut Mistakes) -> (Vec<Row>, Vec<LeftOut>) {
     let (mut rows, mut left_out) = (vec![], vec![]);
     for (index, text) in lines.iter().enumerate() {
@@ -132,6 +135,9 @@ fn table(lines: &[&str], mistakes: &mut Mistakes) -> (Vec<Row>, Vec<LeftOut>) {
     (rows, left_out)
 }
 
+/// The points, the rolling radius of the tyre, and what is left out.
+type Found = (Vec<Row>, Option<f64>, Vec<LeftOut>);
+
 /// A `.shk` file.
 struct Shark<'a> {
     lines: &'a [&'a str],
@@ -139,10 +145,7 @@ struct Shark<'a> {
 }
 
 impl Shark<'_> {
-    fn read(
-        &self,
-        options: &Options,
-    ) -> Result<(Vec<Row>, Option<f64>, Vec<LeftOut>), ImportError> {
+    fn read(&self, options: &Options) -> Result<Found, ImportError> {
         let names = self.names()?;
         let (slot, other) = self.slot(options)?;
         let first = slot + 2;

@@ -3,7 +3,8 @@
 use crate::model::Architecture;
 use crate::model::suggest::{self, plain};
 
-/// Our name, and other names without case and separators: those of Lotus, of Adams/Car where they differ,
+/// Our name, and other names without case and separators: those of Lotus, of Adams/Car where they
+/// differ,
 /// of OptimumK and the short forms of teams.
 const NAMES: &[(&str, &[&str])] = &[
     (

@@ -39,7 +39,8 @@ pub(crate) fn read_text(path: &Path) -> Result<String, String> {
     Ok(text_of(bytes))
 }
 
-/// The text of the bytes of a file. Old programs write Latin-1, in comments for the most part: bytes that
+/// The text of the bytes of a file. Old programs write Latin-1, in comments for the most part: bytes
+/// that
 /// are no UTF-8 are read as that.
 pub fn text_of(bytes: Vec<u8>) -> String {
     let text = String::from_utf8(bytes)

@@ -35,7 +35,7 @@ pub(super) struct Head {
 /// Makes a suspension of named points.
 pub(super) fn suspension(
     source: Source,
-    head: Head,
+    head: &Head,
     rows: Vec<Row>,
     options: &Options,
 ) -> Result<Imported, ImportError> {
@@ -78,7 +78,7 @@ pub(super) fn suspension(
     let built_in = Architecture::built_in(&word).and_then(Result::ok);
     let rows = one_axle(source, rows, options, &mut draft)?;
     take(source, rows, built_in.as_ref(), &mut draft);
-    draft.spin = spin(&head, &draft);
+    draft.spin = spin(head, &draft);
     draft.finish(source.name, source.text, options)
 }
 

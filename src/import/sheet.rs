@@ -120,9 +120,9 @@ impl Sheet {
         let (value, comment) = (value.text(), one_line(comment));
         let line = format!("{key} = {value}");
         if comment.is_empty() {
-            self.line(&line)
+            self.line(&line);
         } else {
-            self.line(&format!("{line}  # {comment}"))
+            self.line(&format!("{line}  # {comment}"));
         }
     }
 

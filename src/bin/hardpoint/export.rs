@@ -12,7 +12,8 @@ use crate::output::Output;
 
 /// Write a model as a file of another program.
 ///
-/// What the format has no place for is listed on stderr. `hardpoint import` reads all of them again, with
+/// What the format has no place for is listed on stderr. `hardpoint import` reads all of them again,
+/// with
 /// the same numbers.
 #[derive(Args)]
 #[command(after_help = "\

@@ -13,7 +13,8 @@ use crate::output::{Output, SideName};
 /// Make a model or mechanism file of a file of another program.
 ///
 /// Reads Adams/Car subsystems and assemblies (.sub, .asy) with their property files, suspension and
-/// steering files of Project Chrono (.json), Lotus SHARK (.shk) and Lotus point tables, tables of points
+/// steering files of Project Chrono (.json), Lotus SHARK (.shk) and Lotus point tables, tables of
+/// points
 /// (.csv), and models that `hardpoint export --to json` wrote. What is not taken over is listed
 /// with its line on stderr, as is what the source does not say and had to be assumed.
 #[derive(Args)]
@@ -35,7 +36,8 @@ pub struct Import {
     /// The unit of lengths, where the file does not say it.
     #[arg(long, value_enum)]
     length: Option<LengthName>,
-    /// The axes, where the file does not say them: iso8855 is x forward, y left, z up; adams is x rearward, y right,
+    /// The axes, where the file does not say them: iso8855 is x forward, y left, z up; adams is x
+    /// rearward, y right,
     /// z up; sae is x forward, y right, z down.
     #[arg(long, value_enum)]
     axes: Option<AxesName>,
@@ -132,7 +134,7 @@ impl Import {
 
 /// An architecture file is written with its whole path, because the model may lie in another folder.
 fn whole_path(name: &str) -> Result<String, Failure> {
-    if !Path::new(name).extension().is_some_and(|ending| ending == "toml") {
+    if Path::new(name).extension().is_none_or(|ending| ending != "toml") {
         return Ok(name.to_owned());
     }
     let path = fs::canonicalize(name).map_err(|error| {

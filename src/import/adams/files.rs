@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use crate::import::options::{Options, read_text};
 
-/// The path and the text of a file that another names, `mdids://NAME/table/file`, `<NAME>/table/file` or a path;
+/// The path and the text of a file that another names, `mdids://NAME/table/file`, `<NAME>/table/file`
+/// or a path;
 /// or why it is not there.
 pub(super) fn named(
     name: &str,
@@ -22,7 +23,8 @@ pub(super) fn named(
     Err(format!("`{name}` is not there; looked for {}", tried.join(", ")))
 }
 
-/// Where a file may lie: in the folder of its database, in a database around the file that names it, or beside it.
+/// Where a file may lie: in the folder of its database, in a database around the file that names it,
+/// or beside it.
 fn candidates(name: &str, beside: &str, options: &Options) -> Vec<PathBuf> {
     let folder = Path::new(beside).parent().unwrap_or(Path::new(""));
     let (database, inside) = split(name);

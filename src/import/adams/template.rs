@@ -9,7 +9,8 @@ pub(super) struct Template {
     pub(super) points: &'static [(&'static str, &'static str)],
     /// The ends of springs and dampers: on the chassis, then on the body.
     pub(super) strut: Strut,
-    /// The usage of a bushing, the joint that it stands for and its point; its z axis is that of the joint.
+    /// The usage of a bushing, the joint that it stands for and its point; its z axis is that of the
+    /// joint.
     pub(super) bushings: &'static [(&'static str, &'static str, &'static str)],
     /// The axes of joints that have bushings.
     pub(super) axes: &'static [(&'static str, [&'static str; 2])],

@@ -1,4 +1,5 @@
-//! Springs, dampers and stops: the force elements that Chrono calls TSDA, `f = P − F(l − l0) − D(l̇)`, + pushing.
+//! Springs, dampers and stops: the force elements that Chrono calls TSDA, `f = P − F(l − l0) −
+//! D(l̇)`, + pushing.
 
 use crate::import::json::Json;
 use crate::import::sheet::Value;

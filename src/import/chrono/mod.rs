@@ -1,4 +1,5 @@
-//! Vehicle files of Project Chrono: suspensions and steerings of its templates, in SI units, ISO 8855 axes
+//! Vehicle files of Project Chrono: suspensions and steerings of its templates, in SI units, ISO 8855
+//! axes
 //! and for the left side.
 
 mod lines;

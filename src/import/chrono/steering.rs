@@ -101,7 +101,8 @@ impl<'a> Steering<'a> {
         Some((range, sheet))
     }
 
-    /// Pitman arm, link and idler arm. The universal joint has its two axes in a cross without mass, and
+    /// Pitman arm, link and idler arm. The universal joint has its two axes in a cross without mass,
+    /// and
     /// the joint of the idler is an arm without mass.
     fn pitman(&mut self) -> Body {
         let (link, arm) = (self.object("Steering Link")?, self.object("Pitman Arm")?);

@@ -26,7 +26,8 @@ pub(super) fn import(
     draft.template = format!("Chrono's template {name}");
     draft.side = Some(Side::Left);
     if template.points.is_empty() {
-        // Without the architecture this says so; with one that the table does not know yet, the points are missing.
+        // Without the architecture this says so; with one that the table does not know yet, the
+        // points are missing.
         return draft.finish(source.name, source.text, options);
     }
     let mut mistakes = Mistakes::new(source.name, source.text);

@@ -1,4 +1,5 @@
-//! Which architecture a template of Chrono is, and where its points, masses and forces stand in the file.
+//! Which architecture a template of Chrono is, and where its points, masses and forces stand in the
+//! file.
 //!
 //! A template is one row here; a row without points waits for its architecture.
 
