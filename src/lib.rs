@@ -52,7 +52,9 @@
 
 pub mod assembly;
 pub mod energy;
+pub mod export;
 pub mod factors;
+pub mod import;
 pub mod kernels;
 pub mod mechanism;
 pub mod model;

@@ -40,6 +40,7 @@ pub use case_input::{CaseInput, LOAD_COMPONENTS};
 pub use cases::{CaseColumn, LoadCase, LoadCases};
 pub use chassis::Rolling;
 pub use diagnostics::{Mistake, ModelDiagnostics};
+pub(crate) use diagnostics::{Report, SourceFile};
 pub use fittings::Steering;
 pub use load::Document;
 pub use loads::{AntiRollBar, JointBushing, Tyre, TyreContact};
@@ -52,7 +53,6 @@ pub use vehicle::{Axle, Brakes, Vehicle};
 
 use crate::mechanism::{Force, MassProperties};
 use crate::vector::{add, scale, sub, unit};
-use diagnostics::Report;
 use loads::Loads;
 
 /// Two points nearer than this (m) are one point, and three points whose distance from a

@@ -4,8 +4,10 @@ mod check;
 mod compliance;
 mod equilibrium;
 mod events;
+mod export;
 mod factors;
 mod failure;
+mod import;
 mod loads;
 mod output;
 mod progress;
@@ -47,7 +49,9 @@ enum Command {
     Check(check::Check),
     Compliance(compliance::Compliance),
     Equilibrium(equilibrium::Equilibrium),
+    Export(export::Export),
     Factors(factors::Factors),
+    Import(import::Import),
     Report(report::Report),
     Rig(rig::Rig),
     Settle(settle::Settle),
@@ -59,7 +63,9 @@ fn main() -> ExitCode {
         Command::Check(command) => command.run(),
         Command::Compliance(command) => command.run(),
         Command::Equilibrium(command) => command.run(),
+        Command::Export(command) => command.run(),
         Command::Factors(command) => command.run(),
+        Command::Import(command) => command.run(),
         Command::Report(command) => command.run(),
         Command::Rig(command) => command.run(),
         Command::Settle(command) => command.run(),
