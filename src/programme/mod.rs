@@ -3,8 +3,10 @@
 //! A [`Stage`] is an event with its range and with what the rig holds; [`standard`] has all that an axle
 //! can go through.
 
+mod range;
 mod stage;
 mod standard;
 
+pub use range::{Clearance, Fastest, NEARLY_DEAD, Place, WorkingRange};
 pub use stage::{Body, Run, Stage, StageError, rolling};
 pub use standard::{Ranges, standard};

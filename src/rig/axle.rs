@@ -11,12 +11,14 @@ use super::stand::Stand;
 use super::station::Station;
 use super::sweep::Specimen;
 use super::target::{Supports, Target};
-use crate::mechanism::Force;
+use crate::mechanism::{DriverId, Force};
 use crate::model::{AxleSide, AxleSuspension, Model, Rolling, Setup, Side, Steering, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::compliance::ComplianceError;
 use crate::solve::equilibrium::Equilibrium;
-use crate::solve::{FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop};
+use crate::solve::{
+    FreeMotion, FreedomReport, StaticFailure, StaticReport, StepReport, Stop, Tangent,
+};
 
 /// Both wheels of an axle on the rig, the chassis fixed, or rolled and heaved by the rig.
 ///
@@ -268,6 +270,11 @@ impl Axle {
         let Self { stations, stand, .. } = self;
         let poses = stations.each_ref().map(|station| station.pose_at(stand, stand.state()));
         Compliance::of(stand.rates().equilibrium(), stations, &poses)
+    }
+
+    /// How all bodies move per metre of a driver, as [`Rates::tangent`](super::Rates::tangent).
+    pub fn tangent(&mut self, driver: DriverId) -> Option<Tangent<'_>> {
+        self.stand.rates().into_tangent(driver)
     }
 
     /// The left and the right wheel, each knowing of the other, and how they give way where that

@@ -42,6 +42,19 @@ impl<'a> Rates<'a> {
         }
     }
 
+    /// As [`Self::tangent`], for the last question.
+    ///
+    /// # Panics
+    /// If the driver belongs to another mechanism.
+    pub fn into_tangent(self, driver: DriverId) -> Option<Tangent<'a>> {
+        match self.system {
+            Some(_) if self.released.contains(&driver) => None,
+            Some(system) => system.tangent(driver).ok(),
+            None if self.found => Some(self.equilibrium.into_tangent(driver).ok()?.motion),
+            None => None,
+        }
+    }
+
     /// How the force (N) or moment (N·m) that holds a driver grows with its value, −dλ/dv, the other
     /// drivers held. `None` where the state is no equilibrium, or one that is not isolated.
     ///

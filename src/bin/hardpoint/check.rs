@@ -7,12 +7,16 @@ use clap::Args;
 use hardpoint::factors::{self, Convention, basic};
 use hardpoint::mechanism::{BodyId, Force};
 use hardpoint::model::{Axes, Document, MechanismModel, Model, Quantity, Setup, Side, Units};
+use hardpoint::programme::{
+    Clearance, Fastest, NEARLY_DEAD, Place, Ranges, StageError, WorkingRange,
+};
 use hardpoint::report::write_adjustments;
-use hardpoint::rig::{Adjustment, Axle, Corner, Pose, Stand};
+use hardpoint::rig::{Adjustment, Axle, Corner, Pose, RigError, Stand};
 use hardpoint::solve::{StaticFailure, StaticReport};
 
 use crate::failure::Failure;
 use crate::load;
+use crate::loads::FARTHEST;
 use crate::output::{Output, SideName, axes_of_words};
 
 /// Check a model: mistakes in the file, degrees of freedom, redundant equations, free motions.
@@ -34,13 +38,30 @@ pub struct Check {
     /// Look at this side of the vehicle; the other side is the mirror image of the model.
     #[arg(long)]
     side: Option<SideName>,
+    /// Move both wheels up and down by this travel at the rack's middle and ends, too, and tell where the range
+    /// ends, what comes near to a dead centre, and which links come near to each other or cross
+    /// [80 mm without a value].
+    #[arg(long, value_name = "T", num_args = 0..=1)]
+    range: Option<Option<f64>>,
 }
 
 impl Check {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
         let rig = |error| Failure::Rig(self.model.display().to_string(), Box::new(error));
-        match load(&self.model, self.side)? {
+        let document = load(&self.model, self.side)?;
+        self.facts(&document, rig)?;
+        match (document, self.range) {
+            (_, None) => Ok(()),
+            (Document::Suspension(model), Some(range)) => self.working_range(&model, range),
+            (Document::Mechanism(_), Some(_)) => Err(Failure::Usage(
+                "--range belongs to suspensions; this file is a mechanism".into(),
+            )),
+        }
+    }
+
+    fn facts(&self, document: &Document, rig: impl Fn(RigError) -> Failure) -> Result<(), Failure> {
+        match document {
             Document::Suspension(model) if self.axle => {
                 let mut axle = Axle::new(&model, &Setup::default()).map_err(rig)?;
                 warn_of_ratio(&model);
@@ -70,6 +91,75 @@ impl Check {
             }
         }
     }
+}
+
+impl Check {
+    /// Goes through the working range of both sides and tells what was found.
+    fn working_range(&self, model: &Model, range: Option<f64>) -> Result<(), Failure> {
+        let ranges = Ranges::of(model);
+        let units = model.units.length;
+        let travel = range.map_or(ranges.travel, |travel| units.to_metres(travel));
+        if !(travel > 0.0 && travel < FARTHEST) {
+            return Err(Failure::Usage("--range is not a positive length".into()));
+        }
+        let racks = match model.steers() {
+            true => vec![0.0, -ranges.rack, ranges.rack],
+            false => vec![0.0],
+        };
+        let found = WorkingRange::find(model, &Setup::default(), travel, &racks);
+        let found = found.map_err(|error| match error {
+            StageError::Rig(error) => {
+                Failure::Rig(self.model.display().to_string(), Box::new(error))
+            }
+            error => Failure::Usage(error.to_string()),
+        })?;
+        Output::Stdout.write(|writer| write_range(writer, model, travel, &found))
+    }
+}
+
+/// Links nearer than this (m) are told.
+const NEAR: f64 = 0.03;
+
+fn write_range(
+    writer: &mut dyn Write,
+    model: &Model,
+    travel: f64,
+    found: &WorkingRange,
+) -> io::Result<()> {
+    let length = |metres: f64| {
+        let unit = model.units.length;
+        format!("{:.1} {}", unit.from_metres(metres), unit.symbol())
+    };
+    let place = |at: &Place| format!("travel {}, rack {}", length(at.travel), length(at.rack));
+    let WorkingRange { states, stops, fastest, clearances } = found;
+    writeln!(writer, "\nworking range, both wheels ±{}: {states} states reached", length(travel))?;
+    for (at, stop) in stops {
+        writeln!(writer, "  ends before {}: {}", place(at), stop.to_string().trim_end())?;
+    }
+    if let Some(Fastest { body, point, ratio, at }) = fastest {
+        let near = match *ratio > NEARLY_DEAD {
+            true => "; this is near to a dead centre: move its points or shorten the range",
+            false => "; far from a dead centre",
+        };
+        writeln!(
+            writer,
+            "  fastest joint: {point} of {body} goes {ratio:.2} times as far as the wheel at {}{near}",
+            place(at)
+        )?;
+    }
+    for Clearance { links: [one, other], distance, crosses, at } in clearances {
+        if *crosses {
+            let at = place(at);
+            writeln!(writer, "  {one} and {other} cross before {at}: one would cut the other")?;
+        } else if *distance < NEAR {
+            let distance = length(*distance);
+            writeln!(writer, "  {one} and {other} come within {distance} at {}", place(at))?;
+        }
+    }
+    if clearances.iter().all(|clearance| clearance.distance >= NEAR) {
+        writeln!(writer, "  no two links come nearer than {} (middle lines)", length(NEAR))?;
+    }
+    Ok(())
 }
 
 /// A sign of `rack_per_turn` that does not fit the geometry is easily overlooked.
