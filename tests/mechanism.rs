@@ -138,6 +138,9 @@ fn parameters_have_exact_derivatives_with_respect_to_points() {
         ("translational", JointKind::Translational { at: b, axis }),
         ("link", JointKind::Link { on_i: a, on_j: b }),
         ("plane", JointKind::InPlane { at: a, normal: axis }),
+        ("parallel", JointKind::ParallelAxes { at: a, axis }),
+        ("rack", JointKind::RackAndPinion { at: a, axis, along: axis, pitch_radius: 0.1 }),
+        ("screw", JointKind::Screw { at: b, axis, lead: 0.1 }),
     ] {
         m.add_joint(name, GROUND, arm, kind).unwrap();
     }

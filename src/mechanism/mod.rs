@@ -14,6 +14,7 @@
 
 mod build;
 mod composition;
+mod course;
 mod elements;
 mod error;
 mod expansion;
@@ -26,6 +27,7 @@ mod spline;
 mod topology;
 
 pub use build::Mechanism;
+pub use course::{Course, Step, Wave};
 pub use error::MechanismError;
 pub use expansion::{Element, Expansion, Inertia, Instance, Owner};
 pub use force::{

@@ -35,6 +35,7 @@ pub(crate) use diagnostics::{Report, SourceFile};
 pub use load::Document;
 pub use loads::{AntiRollBar, JointBushing, Tyre, TyreContact};
 pub use mechanism_file::MechanismModel;
+pub use parts::Marker;
 pub use quantity::Quantity;
 pub use setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
 pub use suspension::{SpringLine, Suspension, Wheel};

@@ -28,7 +28,12 @@ pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) 
     let architecture = file.architecture.as_ref().and_then(|name| load::architecture(name, report));
     let names = names(architecture.as_ref(), file.points.as_ref());
     let axes = file.axes.as_ref().map(|axes| *axes.get_ref());
-    let parts = Parts { names: &names, units: &file.units, axes: axes.unwrap_or(Axes::Iso8855) };
+    let parts = Parts {
+        names: &names,
+        units: &file.units,
+        axes: axes.unwrap_or(Axes::Iso8855),
+        own_numbers: true,
+    };
     let joints = architecture.as_ref().map_or(&[][..], |architecture| &architecture.joints);
     let loads = LoadsFile::read(root, &parts, joints, report);
     let vehicle = vehicle::read(root, &parts, report);

@@ -8,6 +8,7 @@ mod axle;
 mod channel;
 mod compliance;
 mod corner;
+pub mod follow;
 mod line;
 mod load;
 mod pose;

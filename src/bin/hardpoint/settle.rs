@@ -6,10 +6,10 @@ use clap::Args;
 use hardpoint::factors::{Convention, Factor, basic};
 use hardpoint::mechanism::DriverId;
 use hardpoint::model::{
-    Axes, Chassis, Document, MechanismModel, Model, Quantity, Units, WheelSupport,
+    Axes, Chassis, Document, Marker, MechanismModel, Model, Quantity, Units, WheelSupport,
 };
 use hardpoint::report::{SettleReport, SettleRow};
-use hardpoint::rig::{Channel, Corner, RigError, Stand};
+use hardpoint::rig::{Channel, Corner, RigError, Stand, follow};
 use hardpoint::solve::dynamics::{
     Dynamics, DynamicsFailure, Integrator, SettlePlan, Start, StepSize, Trajectory,
 };
@@ -64,6 +64,9 @@ pub struct Settle {
     interval: f64,
     #[command(flatten)]
     rig: RigOptions,
+    /// Write what the joints carry, too, to the CSV file.
+    #[arg(long, requires = "output")]
+    reactions: bool,
     /// Hold the chassis of a quarter car.
     #[arg(long)]
     fixed_chassis: bool,
@@ -84,6 +87,9 @@ struct Recorder<'a> {
     axes: Axes,
     corner: Option<&'a Corner>,
     channels: &'a [Channel],
+    markers: &'a [Marker],
+    /// The channels of joints; none where nobody asks for them.
+    joints: &'a [Channel],
 }
 
 impl Settle {
@@ -126,7 +132,9 @@ impl Settle {
         let trajectory = {
             let channels = corner.element_channels();
             let (units, axes) = (model.units, model.axes);
-            let recorder = Recorder { units, axes, corner: Some(&corner), channels };
+            let joints = if self.reactions { corner.stand().reaction_channels() } else { &[] };
+            let corner = Some(&corner);
+            let recorder = Recorder { units, axes, corner, channels, markers: &[], joints };
             self.integrate(&mut dynamics, &recorder, output)?
         };
         let end = corner.pose_at(dynamics.state());
@@ -162,7 +170,9 @@ impl Settle {
         let (units, axes) = (model.units, Axes::Iso8855);
         let mut dynamics = self.dynamics(&stand, &released, axes)?;
         let channels: Vec<Channel> = [stand.body_channels(), stand.force_channels()].concat();
-        let recorder = Recorder { units, axes, corner: None, channels: &channels };
+        let joints = if self.reactions { stand.reaction_channels() } else { &[] };
+        let (channels, markers) = (&channels, &model.markers);
+        let recorder = Recorder { units, axes, corner: None, channels, markers, joints };
         let trajectory = self.integrate(&mut dynamics, &recorder, output)?;
         let (end, rest) = (dynamics.loaded(), stand.equilibrium().loaded());
         let row = |channel: &Channel| SettleRow {
@@ -280,6 +290,8 @@ impl Recorder<'_> {
         let channel =
             |channel: &Channel| format!("{}_{}", channel.name, channel.quantity.symbol(self.units));
         header.extend(self.channels.iter().map(channel));
+        header.extend(self.markers.iter().flat_map(|marker| follow::columns(marker, self.units)));
+        header.extend(self.joints.iter().map(channel));
         header.extend(
             ["kinetic_energy_J", "potential_energy_J", "work_J", "energy_drift_J"]
                 .map(String::from),
@@ -296,10 +308,14 @@ impl Recorder<'_> {
             values.extend(kinematic().map(value));
         }
         let loaded = dynamics.loaded();
+        let reactions = if self.joints.is_empty() { vec![] } else { dynamics.reactions() };
         let value = |channel: &Channel| {
-            channel.quantity.show(self.units, channel.value(&loaded, &[], self.axes))
+            channel.quantity.show(self.units, channel.value(&loaded, &reactions, self.axes))
         };
         values.extend(self.channels.iter().map(value));
+        let marker = |marker| follow::values(marker, dynamics, self.units);
+        values.extend(self.markers.iter().flat_map(marker));
+        values.extend(self.joints.iter().map(value));
         let energy = dynamics.energy();
         values.extend([energy.kinetic, energy.potential, energy.work, energy.drift]);
         values
