@@ -3,7 +3,10 @@
 //! An importer gives a text that [`Document::parse`](crate::model::Document::parse) reads, in the units
 //! and axes of the source, and lists what it did not take over.
 
+pub mod adm;
+
 use std::ops::Range;
+use std::path::Path;
 
 use thiserror::Error;
 
@@ -108,6 +111,10 @@ fn line_span(text: &str, line: usize) -> Range<usize> {
 /// # Errors
 /// [`ImportError`] with every mistake that leaves no model.
 pub fn import(name: &str, text: &str) -> Result<Imported, ImportError> {
+    let ending = Path::new(name).extension().map(std::ffi::OsStr::to_ascii_lowercase);
+    if ending.is_some_and(|ending| ending == "adm") {
+        return adm::import(name, text, false);
+    }
     Err(ImportError::whole(
         name,
         "this is no file that hardpoint can import",
