@@ -6,6 +6,7 @@ mod equilibrium;
 mod events;
 mod factors;
 mod failure;
+mod import;
 mod loads;
 mod output;
 mod progress;
@@ -45,6 +46,7 @@ enum Command {
     Compliance(compliance::Compliance),
     Equilibrium(equilibrium::Equilibrium),
     Factors(factors::Factors),
+    Import(import::Import),
     Settle(settle::Settle),
     Sweep(sweep::Sweep),
 }
@@ -55,6 +57,7 @@ fn main() -> ExitCode {
         Command::Compliance(command) => command.run(),
         Command::Equilibrium(command) => command.run(),
         Command::Factors(command) => command.run(),
+        Command::Import(command) => command.run(),
         Command::Settle(command) => command.run(),
         Command::Sweep(command) => command.run(),
     };
