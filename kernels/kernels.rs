@@ -17,6 +17,7 @@ include!("orthogonal_2.rs");
 include!("patch_height.rs");
 include!("point_height.rs");
 include!("position_along.rs");
+include!("rack_and_pinion.rs");
 include!("rotation.rs");
 include!("spherical.rs");
 include!("squared_distance.rs");
@@ -57,6 +58,8 @@ pub enum RelationKind {
     PointHeight,
     /// Position of a point along a fixed direction: aᵀ (r + A s) − c = 0
     PositionAlong,
+    /// Rack and pinion: sin(θ − κ s) = 0, with cos θ = (A_i u_i)ᵀ A_j w_j, sin θ = (A_i v_i)ᵀ A_j w_j and s = (A_i a_i)ᵀ (r_j + A_j s_j − r_i − A_i s_i)
+    RackAndPinion,
     /// Prescribed angle about an axis: sin(θ − α) = 0, with cos θ = (A_i u_i)ᵀ A_j w_j and sin θ = (A_i v_i)ᵀ A_j w_j
     Rotation,
     /// Spherical joint: r_j + A_j s_j − r_i − A_i s_i = 0
@@ -85,6 +88,7 @@ impl RelationKind {
         Self::PatchHeight,
         Self::PointHeight,
         Self::PositionAlong,
+        Self::RackAndPinion,
         Self::Rotation,
         Self::Spherical,
         Self::SquaredDistance,
@@ -113,6 +117,7 @@ impl RelationKind {
             "patch_height" => Some(Self::PatchHeight),
             "point_height" => Some(Self::PointHeight),
             "position_along" => Some(Self::PositionAlong),
+            "rack_and_pinion" => Some(Self::RackAndPinion),
             "rotation" => Some(Self::Rotation),
             "spherical" => Some(Self::Spherical),
             "squared_distance" => Some(Self::SquaredDistance),
@@ -139,6 +144,7 @@ impl RelationKind {
             Self::PatchHeight => &patch_height::SHAPE,
             Self::PointHeight => &point_height::SHAPE,
             Self::PositionAlong => &position_along::SHAPE,
+            Self::RackAndPinion => &rack_and_pinion::SHAPE,
             Self::Rotation => &rotation::SHAPE,
             Self::Spherical => &spherical::SHAPE,
             Self::SquaredDistance => &squared_distance::SHAPE,
@@ -168,6 +174,7 @@ impl RelationKind {
             Self::PatchHeight => &patch_height::PatchHeight,
             Self::PointHeight => &point_height::PointHeight,
             Self::PositionAlong => &position_along::PositionAlong,
+            Self::RackAndPinion => &rack_and_pinion::RackAndPinion,
             Self::Rotation => &rotation::Rotation,
             Self::Spherical => &spherical::Spherical,
             Self::SquaredDistance => &squared_distance::SquaredDistance,

@@ -3,8 +3,10 @@
 //! The histories come from Project Chrono's tests. A few rows are in `reference/adams-joints.csv`; all
 //! rows up to 1 s are compared where the full set is beside the repository.
 
-use std::path::Path;
+#[path = "common/adams.rs"]
+mod adams;
 
+use adams::{Row, carried, folder, history, hold};
 use hardpoint::mechanism::{
     BodyId, Curve, Direction, ForceId, ForceKind, InitialVelocity, JointKind, Law, MassProperties,
     Mechanism, PointId, Reference, Spline,
@@ -185,22 +187,6 @@ fn decks() -> Vec<Deck> {
 /// Position and velocity of TranSpring_Case01 at 0.1 s.
 const SPRING_START: [[f64; 3]; 2] = [[0.0, 0.0, -0.0478269], [0.0, 0.0, -0.94069]];
 
-/// Position 3, Euler parameters 4, velocity 3, angular velocity 3, acceleration 3, angular acceleration 3,
-/// force and moment on the ground 6.
-type Row = [f64; 25];
-
-/// The parts of a row with their names.
-const PARTS: [(&str, std::ops::Range<usize>); 8] = [
-    ("position", 0..3),
-    ("Euler parameters", 3..7),
-    ("velocity", 7..10),
-    ("angular velocity", 10..13),
-    ("acceleration", 13..16),
-    ("angular acceleration", 16..19),
-    ("force", 19..22),
-    ("moment", 22..25),
-];
-
 fn observe(deck: &Deck, motion: &Dynamics) -> Row {
     let mut row = [0.0; 25];
     row[..3].copy_from_slice(&motion.point_position(deck.body, deck.center));
@@ -245,106 +231,31 @@ fn euler_parameters(a: Axes) -> [f64; 4] {
     }
 }
 
-/// The largest differences of two rows, part by part.
-fn differences(actual: &Row, expected: &Row) -> [f64; 8] {
-    std::array::from_fn(|part| {
-        let range = PARTS[part].1.clone();
-        let largest = |sign: f64| {
-            range.clone().map(|k| (actual[k] - sign * expected[k]).abs()).fold(0.0, f64::max)
-        };
-        // Both signs of Euler parameters are the same rotation.
-        if part == 1 { largest(1.0).min(largest(-1.0)) } else { largest(1.0) }
-    })
-}
-
-/// What ADAMS itself is accurate to in these histories, part by part.
-fn allowed(name: &str) -> [f64; 8] {
-    let mut allowed = [1e-5, 1e-5, 1e-5, 1e-5, 6e-3, 6e-3, 6e-3, 6e-3];
-    match name {
-        // Spherical_Case01 and Spherical_Case02 are one pendulum in two places. ADAMS differs by this
-        // much between them, and the second is within 1e-5 of ours.
-        "Spherical_Case01" | "Universal_Case01" | "Universal_Case02" | "Universal_Case03" => {
-            allowed[..4].copy_from_slice(&[1.3e-5, 1e-5, 1.8e-4, 1e-4]);
-        }
-        "RotSpring_Case01" => allowed[2] = 1.1e-5,
-        // Angular accelerations of 1000 rad/s² for a moment; shorter steps change nothing more.
-        "Distance_Case02" => (allowed[3], allowed[5]) = (2e-5, 5e-2),
-        _ => {}
-    }
-    allowed
-}
-
 /// Runs a deck through the times of the reference and holds the differences against what is allowed.
 fn compare(deck: &Deck, reference: &[(f64, Row)]) {
     let system = System::new(deck.mechanism.clone()).unwrap();
     // This pendulum on a link is thrown around within hundredths of a second.
     let step = if deck.name == "Distance_Case02" { 2e-5 } else { 1e-4 };
     let mut motion = Dynamics::new(&system, &Start::default(), Integrator::fixed(step)).unwrap();
-    let mut worst = [0.0_f64; 8];
-    for (time, expected) in reference.iter().filter(|(time, _)| *time >= deck.start) {
+    let rows = reference.iter().filter(|(time, _)| *time >= deck.start);
+    let rows = rows.map(|(time, expected)| {
         motion.advance_to(time - deck.start).unwrap();
-        let differences = differences(&observe(deck, &motion), expected);
-        worst = std::array::from_fn(|part| worst[part].max(differences[part]));
-    }
-    for ((part, worst), allowed) in PARTS.iter().zip(worst).zip(allowed(deck.name)) {
-        assert!(worst < allowed, "{}, {}: {worst:.1e}", deck.name, part.0);
-    }
+        (observe(deck, &motion), *expected)
+    });
+    hold(deck.name, rows);
 }
 
 #[test]
 fn a_few_rows_of_every_history() {
-    let text = include_str!("reference/adams-joints.csv");
     for deck in decks() {
-        let rows: Vec<(f64, Row)> = text
-            .lines()
-            .filter(|line| line.starts_with(deck.name))
-            .map(|line| {
-                let mut numbers = line.split(',').skip(1).map(|number| number.parse().unwrap());
-                (numbers.next().unwrap(), std::array::from_fn(|_| numbers.next().unwrap()))
-            })
-            .collect();
-        assert_eq!(rows.len(), 3, "{}", deck.name);
-        compare(&deck, &rows);
+        compare(&deck, &carried(deck.name));
     }
 }
 
 #[test]
 fn all_rows_up_to_one_second_of_every_history() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/reference/adams-joints");
-    if !folder.exists() {
-        eprintln!("skipped: {} is not there", folder.display());
-        return;
-    }
+    let Some(folder) = folder() else { return };
     for deck in decks() {
         compare(&deck, &history(&folder, deck.name));
     }
-}
-
-fn history(folder: &Path, name: &str) -> Vec<(f64, Row)> {
-    let parts = ["Pos", "Quat", "Vel", "Avel", "Acc", "Aacc", "Rforce", "Rtorque"];
-    let mut rows: Vec<(f64, Vec<f64>)> = vec![];
-    let file = |part: &str| {
-        let name = format!("{name}_ADAMS_{part}.txt");
-        let mut folders = std::fs::read_dir(folder).unwrap();
-        let path = folders.find_map(|entry| {
-            let path = entry.unwrap().path().join(&name);
-            path.exists().then_some(path)
-        });
-        std::fs::read_to_string(path.unwrap_or_else(|| panic!("no {name}"))).unwrap()
-    };
-    for (part, name) in parts.into_iter().enumerate() {
-        let text = file(name);
-        let numbers = text.lines().filter_map(|line| {
-            line.split_whitespace().map(|number| number.parse().ok()).collect::<Option<Vec<f64>>>()
-        });
-        let numbers = numbers.filter(|row| row.len() > 1 && row[0] < 1.0 + 1e-9);
-        for (k, row) in numbers.enumerate() {
-            if part == 0 {
-                rows.push((row[0], vec![]));
-            }
-            rows[k].1.extend_from_slice(&row[1..]);
-        }
-    }
-    assert_eq!(rows.len(), 101, "{name}");
-    rows.into_iter().map(|(time, row)| (time, row.try_into().unwrap())).collect()
 }

@@ -17,6 +17,7 @@ fn one_of_each() -> Mechanism {
     let third = m.add_body("third", [0.2, 0.1, -0.4]).unwrap();
     let axis = Direction::Between(a, b);
     let fixed = Direction::Fixed([1.0, 2.0, -1.0]);
+    let across = Direction::Fixed([1.0, 0.0, 1.0]);
     for (name, kind) in [
         ("spherical", JointKind::Spherical { at: a }),
         ("revolute", JointKind::Revolute { at: b, axis }),
@@ -28,6 +29,12 @@ fn one_of_each() -> Mechanism {
         ("in_plane", JointKind::InPlane { at: b, normal: axis }),
         ("in_line", JointKind::InLine { at: a, axis: fixed }),
         ("perpendicular", JointKind::Perpendicular { at: b, axis }),
+        ("hooke", JointKind::Hooke { at: b, pin_i: fixed, pin_j: across }),
+        ("square", JointKind::PerpendicularAxes { at: b, axis_i: across, axis_j: fixed }),
+        ("parallel", JointKind::ParallelAxes { at: a, axis }),
+        ("orientation", JointKind::Orientation { at: a }),
+        ("rack", JointKind::RackAndPinion { at: a, axis, along: fixed, pitch_radius: -1.3 }),
+        ("screw", JointKind::Screw { at: b, axis: fixed, lead: 7.0 }),
     ] {
         m.add_joint(name, first, second, kind).unwrap();
         m.add_joint(&format!("{name} to ground"), BodyId::GROUND, third, kind).unwrap();

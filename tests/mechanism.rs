@@ -139,6 +139,9 @@ fn parameters_have_exact_derivatives_with_respect_to_points() {
         ("link", JointKind::Link { on_i: a, on_j: b }),
         ("plane", JointKind::InPlane { at: a, normal: axis }),
         ("perpendicular", JointKind::Perpendicular { at: a, axis }),
+        ("parallel", JointKind::ParallelAxes { at: a, axis }),
+        ("rack", JointKind::RackAndPinion { at: a, axis, along: axis, pitch_radius: 0.1 }),
+        ("screw", JointKind::Screw { at: b, axis, lead: 0.1 }),
     ] {
         m.add_joint(name, GROUND, arm, kind).unwrap();
     }

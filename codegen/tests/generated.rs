@@ -47,6 +47,7 @@ fn operation_counts_are_pinned() {
         ("patch_height", [60, 81, 143, 126, 206]),
         ("point_height", [29, 34, 40, 23, 49]),
         ("position_along", [50, 74, 106, 125, 168]),
+        ("rack_and_pinion", [274, 503, 2224, 3640, 1942]),
         ("rotation", [136, 226, 373, 767, 735]),
         ("spherical", [91, 106, 158, 120, 156]),
         ("squared_distance", [98, 148, 372, 580, 524]),

@@ -4,6 +4,7 @@
 //! and axes of the source, and lists what it did not take over.
 
 mod adams;
+pub mod adm;
 mod chrono;
 mod csv;
 mod draft;
@@ -147,6 +148,7 @@ pub fn import_with(name: &str, text: &str, options: &Options) -> Result<Imported
     }
     let source = Source { name, text };
     match Format::of(name, text) {
+        Some(Format::Dataset) => adm::import(name, text, options.lenient),
         Some(Format::Json) => json::import(source, options),
         Some(Format::Adams) => adams::import(source, options),
         Some(Format::Csv) => csv::import(source, options),
@@ -154,7 +156,7 @@ pub fn import_with(name: &str, text: &str, options: &Options) -> Result<Imported
         None => Err(ImportError::whole(
             name,
             "the format of this file is not known",
-            "hardpoint imports .json (Project Chrono), .sub and .asy (Adams/Car), .shk and point tables \
+            "hardpoint imports .adm (Adams/Solver), .json (Project Chrono), .sub and .asy (Adams/Car), .shk and point tables \
              (Lotus), and .csv",
         )),
     }
@@ -187,6 +189,7 @@ impl Source<'_> {
 /// The formats that can be told from each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
+    Dataset,
     Json,
     Adams,
     Csv,
@@ -199,6 +202,7 @@ impl Format {
         let file = name.rsplit(['/', '\\']).next().unwrap_or(name);
         let ending = file.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
         match ending.as_deref() {
+            Some("adm") => return Some(Self::Dataset),
             Some("json") => return Some(Self::Json),
             Some("sub" | "asy" | "bus" | "spr" | "dpr" | "bum" | "reb") => {
                 return Some(Self::Adams);

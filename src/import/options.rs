@@ -22,6 +22,9 @@ pub struct Options {
     pub wheel_radius: Option<f64>,
     /// Folders of Adams databases by their names: `mdids://NAME/…` and `<NAME>/…` lie there.
     pub databases: Vec<(String, PathBuf)>,
+    /// Whether what an Adams/Solver dataset has and hardpoint does not is left out although that changes the
+    /// mechanism; otherwise it is a mistake.
+    pub lenient: bool,
 }
 
 /// Files larger than this are no suspension.

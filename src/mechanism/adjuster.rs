@@ -70,7 +70,13 @@ impl Mechanism {
         };
         let id = DriverId(self.drivers.len());
         let kind = DriverKind::Adjuster;
-        self.drivers.push(Driver { name: name.to_owned(), i: BodyId::GROUND, j, kind });
+        self.drivers.push(Driver {
+            name: name.to_owned(),
+            i: BodyId::GROUND,
+            j,
+            kind,
+            course: None,
+        });
         self.adjusters.push((id, adjuster));
         Ok(id)
     }

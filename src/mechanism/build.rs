@@ -1,6 +1,7 @@
 //! Building a mechanism by name, and asking it for its parts.
 
 use super::adjuster::Adjuster;
+use super::course::Course;
 use super::error::MechanismError;
 use super::force::{Force, InitialVelocity};
 use super::topology::{
@@ -10,6 +11,9 @@ use crate::vector::{norm, sub};
 
 /// Points closer than this (m) count as one point: no part of a vehicle is a micrometre long.
 const COINCIDENT: f64 = 1e-6;
+
+/// Largest cosine of two axes that count as normal to each other.
+const NORMAL: f64 = 1e-10;
 
 /// A system of bodies, joints and drivers.
 #[derive(Clone, Debug)]
@@ -73,11 +77,25 @@ impl Mechanism {
         new_name("joint", name, self.joints.iter().map(|joint| &*joint.name))?;
         self.check_bodies("joint", name, i, j)?;
         self.check_points("joint", name, kind.points())?;
-        if let Some(direction) = kind.direction() {
+        for direction in kind.directions() {
             self.check_direction("joint", name, direction)?;
         }
-        if let JointKind::Link { on_i, on_j } = kind {
-            self.check_distance("joint", name, "length", on_i, on_j)?;
+        match kind {
+            JointKind::Link { on_i, on_j } => {
+                self.check_distance("joint", name, "length", on_i, on_j)?;
+            }
+            JointKind::Hooke { pin_i, pin_j, .. } => self.check_normal(name, pin_i, pin_j)?,
+            JointKind::PerpendicularAxes { axis_i, axis_j, .. } => {
+                self.check_normal(name, axis_i, axis_j)?;
+            }
+            JointKind::RackAndPinion { pitch_radius: way, .. }
+            | JointKind::Screw { lead: way, .. } => {
+                finite("joint", name, &[way])?;
+                if way == 0.0 {
+                    return Err(MechanismError::NoWay { name: name.to_owned() });
+                }
+            }
+            _ => {}
         }
         self.joints.push(Joint { name: name.to_owned(), i, j, kind });
         Ok(())
@@ -114,8 +132,24 @@ impl Mechanism {
             }
             _ => {}
         }
-        self.drivers.push(Driver { name: name.to_owned(), i, j, kind });
+        self.drivers.push(Driver { name: name.to_owned(), i, j, kind, course: None });
         Ok(DriverId(self.drivers.len() - 1))
+    }
+
+    /// Says how the value of a driver changes with time in dynamics; statics and sweeps do not know it.
+    ///
+    /// # Errors
+    /// [`MechanismError::Course`] for numbers that are not finite or a step that ends before it begins.
+    ///
+    /// # Panics
+    /// If the driver belongs to another mechanism.
+    pub fn set_course(&mut self, driver: DriverId, course: Course) -> Result<(), MechanismError> {
+        let driver = &mut self.drivers[driver.0];
+        if !course.is_sound() {
+            return Err(MechanismError::Course { name: driver.name.clone() });
+        }
+        driver.course = Some(course);
+        Ok(())
     }
 
     /// All bodies; the ground is the first.
@@ -240,6 +274,17 @@ impl Mechanism {
                 })
             }
         }
+    }
+
+    /// Whether two directions are normal to each other at the design position.
+    fn check_normal(&self, name: &str, i: Direction, j: Direction) -> Result<(), MechanismError> {
+        let [i, j] = [i, j].map(|direction| crate::vector::unit(self.vector(direction)));
+        let cosine = crate::vector::dot(i, j);
+        if cosine.abs() <= NORMAL {
+            return Ok(());
+        }
+        let angle = cosine.clamp(-1.0, 1.0).acos().to_degrees();
+        Err(MechanismError::NotNormal { name: name.to_owned(), angle })
     }
 
     pub(super) fn check_distance(

@@ -84,11 +84,7 @@ impl<'a> Composition<'a> {
             }
             JointKind::Fixed { at } => {
                 self.spherical(at);
-                let [x, y, z] =
-                    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Recipe::Constant);
-                self.orthogonal_1(x, y);
-                self.orthogonal_1(y, z);
-                self.orthogonal_1(z, x);
+                self.keep_orientation();
             }
             JointKind::Link { on_i, on_j } => {
                 let ends = [self.local(self.i, on_i), self.local(self.j, on_j)];
@@ -102,6 +98,22 @@ impl<'a> Composition<'a> {
             JointKind::Perpendicular { axis, .. } => {
                 let [first, second] = self.normals(axis);
                 self.orthogonal_1(first, second);
+            }
+            JointKind::Hooke { at, pin_i, pin_j } => {
+                self.spherical(at);
+                self.orthogonal_1(Recipe::Axis(pin_i), Recipe::Axis(pin_j));
+            }
+            JointKind::PerpendicularAxes { axis_i, axis_j, .. } => {
+                self.orthogonal_1(Recipe::Axis(axis_i), Recipe::Axis(axis_j));
+            }
+            JointKind::ParallelAxes { axis, .. } => self.align(axis),
+            JointKind::Orientation { .. } => self.keep_orientation(),
+            JointKind::RackAndPinion { at, axis, along, pitch_radius } => {
+                // The pinion goes back along the rack by what the rack goes along.
+                self.roll(at, axis, along, -1.0 / pitch_radius);
+            }
+            JointKind::Screw { at, axis, lead } => {
+                self.roll(at, axis, axis, std::f64::consts::TAU / lead);
             }
         }
     }
@@ -248,6 +260,23 @@ impl<'a> Composition<'a> {
             }
         };
         self.element(kind, recipes, &bushing.rotation);
+    }
+
+    /// Body *j* keeps its orientation in body *i*.
+    fn keep_orientation(&mut self) {
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Recipe::Constant);
+        self.orthogonal_1(x, y);
+        self.orthogonal_1(y, z);
+        self.orthogonal_1(z, x);
+    }
+
+    /// Body *j* turns about the axis by the ratio (rad/m) times the way of its point along a direction.
+    fn roll(&mut self, at: PointId, axis: Direction, along: Direction, ratio: f64) {
+        let [first, second] = self.normals(axis);
+        let ends = [self.local(self.i, at), self.local(self.j, at)];
+        let along = Recipe::Axis(along);
+        let recipes = [first, second, first, along, ends[0], ends[1], Recipe::Number(ratio)];
+        self.relation(RelationKind::RackAndPinion, &recipes);
     }
 
     /// The axis of body *j* stays parallel to that of body *i*.

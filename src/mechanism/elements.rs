@@ -3,7 +3,7 @@
 use super::build::{Mechanism, finite, new_name};
 use super::error::MechanismError;
 use super::force::{
-    Contact, Force, ForceId, ForceKind, InitialVelocity, MassProperties, Reference,
+    Contact, Force, ForceId, ForceKind, InitialVelocity, MassProperties, Reference, Triad,
 };
 use super::law::{Curve, Law};
 use super::topology::{BodyId, Direction};
@@ -126,11 +126,7 @@ impl Mechanism {
                 for law in bushing.translation.iter().chain(&bushing.rotation) {
                     check_law(name, law)?;
                 }
-                let [x, z] = [bushing.axes.x, bushing.axes.z].map(|d| unit(self.vector(d)));
-                if norm(cross(z, x)) < 1e-6 {
-                    return Err(MechanismError::ParallelAxes { name: name.to_owned() });
-                }
-                Ok(())
+                self.check_triad("force", name, bushing.axes)
             }
             ForceKind::Tyre { contact, free_radius, ground, law } => {
                 check_law(name, law)?;
@@ -152,6 +148,25 @@ impl Mechanism {
                 Err(MechanismError::NotFromGround { name: name.to_owned(), i: body(i), j: body(j) })
             }
         }
+    }
+}
+
+impl Mechanism {
+    /// Whether axes span a frame; their directions have been checked.
+    pub(crate) fn check_triad(
+        &self,
+        what: &'static str,
+        name: &str,
+        axes: Triad,
+    ) -> Result<(), MechanismError> {
+        for direction in [axes.x, axes.z] {
+            self.check_direction(what, name, direction)?;
+        }
+        let [x, z] = [axes.x, axes.z].map(|direction| unit(self.vector(direction)));
+        if norm(cross(z, x)) < 1e-6 {
+            return Err(MechanismError::ParallelAxes { what, name: name.to_owned() });
+        }
+        Ok(())
     }
 }
 

@@ -57,6 +57,34 @@ pub enum MechanismError {
         /// The body.
         body: String,
     },
+    /// The pins of a cross are not at right angles.
+    #[error(
+        "joint `{name}` has two axes at {angle:.6}° that should be normal to each other; correct \
+         one of them"
+    )]
+    NotNormal {
+        /// The joint.
+        name: String,
+        /// The angle between them (°).
+        angle: f64,
+    },
+    /// A course of time without a meaning.
+    #[error(
+        "the motion of driver `{name}` has a number that is not finite or a step that does not end after it \
+         begins; correct it"
+    )]
+    Course {
+        /// The driver.
+        name: String,
+    },
+    /// A rack or a screw that goes nowhere.
+    #[error(
+        "joint `{name}` has a pitch radius or a lead of zero; give another one, or use a fixed joint"
+    )]
+    NoWay {
+        /// The joint.
+        name: String,
+    },
     /// A line between two points has no length.
     #[error(
         "the {part} of {what} `{name}` runs from `{}` {:?} to `{}` {:?}, which are {distance:e} m apart: \
@@ -151,12 +179,14 @@ pub enum MechanismError {
         /// What is wrong and what to do.
         problem: &'static str,
     },
-    /// Axes of a bushing that span no plane.
+    /// Axes that span no plane.
     #[error(
-        "the x and z axes of force `{name}` are parallel, so they give no frame; give another z axis"
+        "the x and z axes of {what} `{name}` are parallel, so they give no frame; give another z axis"
     )]
     ParallelAxes {
-        /// The force element.
+        /// `force` or `marker`.
+        what: &'static str,
+        /// Its name.
         name: String,
     },
     /// A load or a tyre between two moving bodies.

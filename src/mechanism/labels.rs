@@ -5,6 +5,7 @@ use super::topology::{Driver, Joint, JointKind};
 
 const POSITION: [&str; 3] = ["x position", "y position", "z position"];
 const ALIGNMENT: [&str; 2] = ["first alignment of the axes", "second alignment of the axes"];
+const ORIENTATION: [&str; 3] = ["rotation about z", "rotation about x", "rotation about y"];
 const OFFSET: [&str; 2] = ["first offset from the axis", "second offset from the axis"];
 
 /// The motion that each equation of a joint holds, in the order of the equations.
@@ -15,15 +16,18 @@ pub(super) fn components(kind: JointKind) -> Vec<&'static str> {
         JointKind::Universal { .. } => &[&POSITION, &["rotation about the shaft"]],
         JointKind::Translational { .. } => &[&ALIGNMENT, &["rotation about the axis"], &OFFSET],
         JointKind::Cylindrical { .. } => &[&ALIGNMENT, &OFFSET],
-        JointKind::Fixed { .. } => {
-            &[&POSITION, &["rotation about z", "rotation about x", "rotation about y"]]
-        }
+        JointKind::Fixed { .. } => &[&POSITION, &ORIENTATION],
         JointKind::Link { .. } => &[&["length"]],
         JointKind::InPlane { .. } => &[&["offset from the plane"]],
         JointKind::InLine { .. } => {
             &[&["first offset from the line", "second offset from the line"]]
         }
         JointKind::Perpendicular { .. } => &[&["rotation about the axis"]],
+        JointKind::Hooke { .. } => &[&POSITION, &["right angle of the pins"]],
+        JointKind::PerpendicularAxes { .. } => &[&["right angle of the axes"]],
+        JointKind::ParallelAxes { .. } => &[&ALIGNMENT],
+        JointKind::Orientation { .. } => &[&ORIENTATION],
+        JointKind::RackAndPinion { .. } | JointKind::Screw { .. } => &[&["way by rotation"]],
     };
     groups.concat()
 }

@@ -15,6 +15,7 @@
 mod adjuster;
 mod build;
 mod composition;
+mod course;
 mod elements;
 mod error;
 mod expansion;
@@ -29,6 +30,7 @@ mod topology;
 
 pub use adjuster::Adjuster;
 pub use build::Mechanism;
+pub use course::{Course, Step, Wave};
 pub use error::MechanismError;
 pub use expansion::{Element, Expansion, Inertia, Instance, Owner};
 pub use force::{

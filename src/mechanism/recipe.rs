@@ -89,11 +89,7 @@ impl Recipe {
             Self::Distance(from, to, more) => {
                 out.push(norm(sub(positions[to.0], positions[from.0])) + S::from_f64(more));
             }
-            Self::BushingAxis(axes, axis) => {
-                let x = direction(axes.x, positions);
-                let y = unit(cross(direction(axes.z, positions), x));
-                out.extend([x, y, cross(x, y)][axis]);
-            }
+            Self::BushingAxis(axes, axis) => out.extend(axes.at(positions)[axis]),
             Self::Height(point) => out.push(positions[point.0][2]),
             Self::PatchHeight { center, spin, radius } => {
                 // The normal of the disc has length one, so the disc reaches down
@@ -103,6 +99,15 @@ impl Recipe {
                 out.push(positions[center.0][2] - S::from_f64(radius) * drop);
             }
         }
+    }
+}
+
+impl Triad {
+    /// The axes x, y and z for the given positions of the points.
+    pub(crate) fn at<S: Scalar>(self, positions: &[Vector<S>]) -> [Vector<S>; 3] {
+        let x = direction(self.x, positions);
+        let y = unit(cross(direction(self.z, positions), x));
+        [x, y, cross(x, y)]
     }
 }
 

@@ -43,6 +43,25 @@ impl JointKind {
             Self::Perpendicular { at, axis } => {
                 Self::Perpendicular { at: other(at), axis: line(axis) }
             }
+            Self::Hooke { at, pin_i, pin_j } => {
+                Self::Hooke { at: other(at), pin_i: line(pin_i), pin_j: line(pin_j) }
+            }
+            Self::PerpendicularAxes { at, axis_i, axis_j } => Self::PerpendicularAxes {
+                at: other(at),
+                axis_i: line(axis_i),
+                axis_j: line(axis_j),
+            },
+            Self::ParallelAxes { at, axis } => {
+                Self::ParallelAxes { at: other(at), axis: line(axis) }
+            }
+            Self::Orientation { at } => Self::Orientation { at: other(at) },
+            Self::RackAndPinion { at, axis, along, pitch_radius } => Self::RackAndPinion {
+                at: other(at),
+                axis: line(axis),
+                along: line(along),
+                pitch_radius,
+            },
+            Self::Screw { at, axis, lead } => Self::Screw { at: other(at), axis: line(axis), lead },
         }
     }
 }

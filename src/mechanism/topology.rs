@@ -1,5 +1,6 @@
 //! The parts of a mechanism: bodies, points, joints and drivers.
 
+use super::course::Course;
 use super::force::{InitialVelocity, MassProperties};
 
 /// Number of a body; [`BodyId::GROUND`] never moves.
@@ -143,6 +144,60 @@ pub enum JointKind {
         /// The axis about which nothing turns.
         axis: Direction,
     },
+    /// A universal joint with given pins of its cross: both bodies share the point, and the pins stay
+    /// normal to each other. 4 equations.
+    Hooke {
+        /// The shared point.
+        at: PointId,
+        /// The pin in body *i*.
+        pin_i: Direction,
+        /// The pin in body *j*, normal to the other.
+        pin_j: Direction,
+    },
+    /// An axis of body *i* stays normal to one of body *j*. 1 equation.
+    PerpendicularAxes {
+        /// Where its moment is told.
+        at: PointId,
+        /// The axis in body *i*.
+        axis_i: Direction,
+        /// The axis in body *j*, normal to the other.
+        axis_j: Direction,
+    },
+    /// An axis of body *j* stays parallel to one of body *i*. 2 equations.
+    ParallelAxes {
+        /// Where its moment is told.
+        at: PointId,
+        /// The axis of both bodies.
+        axis: Direction,
+    },
+    /// Body *j* does not turn relative to body *i*. 3 equations.
+    Orientation {
+        /// Where its moment is told.
+        at: PointId,
+    },
+    /// Body *j*, the pinion, turns about the axis as the rack, body *i*, moves along. 1 equation: other
+    /// joints guide the two.
+    RackAndPinion {
+        /// A point on the axis of the pinion.
+        at: PointId,
+        /// The axis of the pinion.
+        axis: Direction,
+        /// The direction of the rack's way.
+        along: Direction,
+        /// The way (m) of the rack along its direction for each radian that the pinion turns
+        /// right-handed about its axis.
+        pitch_radius: f64,
+    },
+    /// Body *j* turns about the axis as it goes along it from body *i*. 1 equation: a cylindrical joint guides
+    /// the two.
+    Screw {
+        /// A point on the axis.
+        at: PointId,
+        /// The axis.
+        axis: Direction,
+        /// The way (m) of body *j* along the axis for each right-handed turn about it.
+        lead: f64,
+    },
 }
 
 impl JointKind {
@@ -159,6 +214,12 @@ impl JointKind {
             Self::InPlane { .. } => "in-plane",
             Self::InLine { .. } => "in-line",
             Self::Perpendicular { .. } => "perpendicular",
+            Self::Hooke { .. } => "universal",
+            Self::PerpendicularAxes { .. } => "perpendicular-axes",
+            Self::ParallelAxes { .. } => "parallel-axes",
+            Self::Orientation { .. } => "orientation",
+            Self::RackAndPinion { .. } => "rack-and-pinion",
+            Self::Screw { .. } => "screw",
         }
     }
 
@@ -173,23 +234,38 @@ impl JointKind {
             | Self::Fixed { at }
             | Self::InPlane { at, .. }
             | Self::InLine { at, .. }
-            | Self::Perpendicular { at, .. } => [at, at],
+            | Self::Perpendicular { at, .. }
+            | Self::Hooke { at, .. }
+            | Self::PerpendicularAxes { at, .. }
+            | Self::ParallelAxes { at, .. }
+            | Self::Orientation { at }
+            | Self::RackAndPinion { at, .. }
+            | Self::Screw { at, .. } => [at, at],
             Self::Link { on_i, on_j } => [on_i, on_j],
         }
     }
 
-    /// The direction of the joint, where it has one.
-    pub fn direction(self) -> Option<Direction> {
-        match self {
-            Self::Spherical { .. } | Self::Fixed { .. } | Self::Link { .. } => None,
+    /// The directions of the joint: none, one or two.
+    pub fn directions(self) -> impl Iterator<Item = Direction> {
+        let directions = match self {
+            Self::Spherical { .. }
+            | Self::Fixed { .. }
+            | Self::Link { .. }
+            | Self::Orientation { .. } => [None, None],
             Self::Revolute { axis, .. }
             | Self::Translational { axis, .. }
             | Self::Cylindrical { axis, .. }
             | Self::InLine { axis, .. }
-            | Self::Perpendicular { axis, .. } => Some(axis),
-            Self::Universal { shaft, .. } => Some(shaft),
-            Self::InPlane { normal, .. } => Some(normal),
-        }
+            | Self::Perpendicular { axis, .. }
+            | Self::ParallelAxes { axis, .. }
+            | Self::Screw { axis, .. } => [Some(axis), None],
+            Self::Universal { shaft, .. } => [Some(shaft), None],
+            Self::InPlane { normal, .. } => [Some(normal), None],
+            Self::Hooke { pin_i, pin_j, .. } => [Some(pin_i), Some(pin_j)],
+            Self::PerpendicularAxes { axis_i, axis_j, .. } => [Some(axis_i), Some(axis_j)],
+            Self::RackAndPinion { axis, along, .. } => [Some(axis), Some(along)],
+        };
+        directions.into_iter().flatten()
     }
 }
 
@@ -301,4 +377,6 @@ pub struct Driver {
     pub j: BodyId,
     /// What is prescribed.
     pub kind: DriverKind,
+    /// How its value changes in dynamics, where it does.
+    pub course: Option<Course>,
 }

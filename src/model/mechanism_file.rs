@@ -9,7 +9,9 @@ use super::checks::note;
 use super::diagnostics::Report;
 use super::mean;
 use super::names::Names;
-use super::parts::{Parts, PointFile, check_name, gravity_vector, joint_points, read_points};
+use super::parts::{
+    Marker, Parts, PointFile, check_name, gravity_vector, joint_points, read_points,
+};
 use super::quantity::Quantity;
 use super::read::{FromToml, Section, as_section};
 use super::units::Units;
@@ -31,6 +33,8 @@ pub struct MechanismModel {
     pub units: Units,
     /// Bodies, joints, drivers, forces, masses and gravity.
     pub mechanism: Mechanism,
+    /// What is followed in motion.
+    pub markers: Vec<Marker>,
 }
 
 /// The bodies of a file, in its order.
@@ -47,6 +51,7 @@ struct PartsFile {
     joints: Vec<(Range<usize>, Joint)>,
     drivers: Vec<(Range<usize>, Driver)>,
     forces: Vec<(Range<usize>, Force)>,
+    markers: Vec<(Range<usize>, Marker)>,
     gravity: [f64; 3],
 }
 
@@ -63,13 +68,14 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<MechanismM
     let body_names = body_names(root, &ground, report);
     let point_names = points.iter().map(|point| point.name.get_ref().clone()).collect();
     let names = Names::new(ground.clone(), body_names, point_names);
-    let parts = Parts { names: &names, units: &units, axes: Axes::Iso8855 };
+    let parts = Parts { names: &names, units: &units, axes: Axes::Iso8855, own_numbers: true };
     let (bodies, mass) = bodies(root, &ground, &parts, report);
     let file = PartsFile {
         bodies,
         joints: placed(parts.joints(root, report)),
         drivers: placed(parts.drivers(root, report)),
         forces: placed(parts.forces(root, true, report)),
+        markers: placed(parts.markers(root, report)),
         gravity: gravity_vector(root, mass.as_ref(), report).unwrap_or_default(),
         points: points
             .into_iter()
@@ -89,6 +95,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<MechanismM
         source: source.map(Spanned::into_inner),
         units: units.units()?,
         mechanism,
+        markers: file.markers.into_iter().map(|(_, marker)| marker).collect(),
     })
 }
 
@@ -200,12 +207,22 @@ impl PartsFile {
             check(span, mechanism.add_joint(&joint.name, joint.i, joint.j, joint.kind));
         }
         for (span, driver) in &self.drivers {
-            let Driver { name, i, j, kind } = driver;
-            check(span, mechanism.add_driver(name, *i, *j, *kind).map(|_| ()));
+            let Driver { name, i, j, kind, course } = driver;
+            let added = mechanism.add_driver(name, *i, *j, *kind);
+            check(
+                span,
+                added.and_then(|id| match course {
+                    None => Ok(()),
+                    Some(course) => mechanism.set_course(id, course.clone()),
+                }),
+            );
         }
         for (span, force) in &self.forces {
             let kind = force.kind.clone();
             check(span, mechanism.add_force(&force.name, force.i, force.j, kind).map(|_| ()));
+        }
+        for (span, Marker { name, axes, .. }) in &self.markers {
+            check(span, mechanism.check_triad("marker", name, *axes));
         }
         check(&(0..0), mechanism.set_gravity(self.gravity));
         mechanism

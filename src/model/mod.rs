@@ -45,6 +45,7 @@ pub use fittings::Steering;
 pub use load::Document;
 pub use loads::{AntiRollBar, JointBushing, Tyre, TyreContact};
 pub use mechanism_file::MechanismModel;
+pub use parts::Marker;
 pub use quantity::Quantity;
 pub use setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
 pub use suspension::{StrutLine, Suspension, Wheel};

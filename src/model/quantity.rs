@@ -29,6 +29,12 @@ pub enum Quantity {
     Velocity,
     /// Angular speed, in rad/s inside.
     AngularVelocity,
+    /// Acceleration, in m/s² inside.
+    Acceleration,
+    /// Angular acceleration, in rad/s² inside.
+    AngularAcceleration,
+    /// Time, always in s.
+    Time,
     /// A number without dimension.
     Ratio,
     /// A number without dimension, shown as a percentage.
@@ -71,6 +77,9 @@ impl Quantity {
             Self::Inertia => [0, 1, 2, 0, 0],
             Self::Velocity => [0, 0, 1, 0, -1],
             Self::AngularVelocity => [0, 0, 0, 1, -1],
+            Self::Acceleration => [0, 0, 1, 0, -2],
+            Self::AngularAcceleration => [0, 0, 0, 1, -2],
+            Self::Time => [0, 0, 0, 0, 1],
             Self::Ratio | Self::Percent => [0; 5],
             Self::Pitch => [0, 0, 1, -1, 0],
             Self::Gradient | Self::AngleByForce | Self::AngleByTorque | Self::AngleByG => {
@@ -111,13 +120,11 @@ impl Quantity {
         let symbols = [units.force.symbol(), units.mass.symbol(), length, angle, "s"];
         let (mut above, mut below) = (vec![], vec![]);
         for (symbol, power) in symbols.into_iter().zip(self.powers()) {
-            match power {
-                0 => {}
-                1 => above.push(symbol.to_owned()),
-                -1 => below.push(symbol),
-                power => {
-                    above.push(format!("{symbol}{}", ["", "", "²"][power.unsigned_abs() as usize]));
-                }
+            let factor = format!("{symbol}{}", if power.abs() == 2 { "²" } else { "" });
+            match power.signum() {
+                1 => above.push(factor),
+                -1 => below.push(factor),
+                _ => {}
             }
         }
         let above = above.join("·");

@@ -31,12 +31,12 @@ pub(super) fn resolve(root: &mut Section, file: ModelFile, report: &mut Report) 
     let mut names = names(architecture.as_ref(), file.points.as_ref());
     let axes = file.axes.as_ref().map(|axes| *axes.get_ref());
     let shown = axes.unwrap_or(Axes::Iso8855);
-    let parts = Parts { names: &names, units: &file.units, axes: shown };
+    let parts = Parts { names: &names, units: &file.units, axes: shown, own_numbers: true };
     let fittings = fittings::fit(root, &parts, architecture.as_mut(), report);
     if let Some(architecture) = &architecture {
         names.set_bodies(architecture.bodies().iter().map(|body| body.name.clone()).collect());
     }
-    let parts = Parts { names: &names, units: &file.units, axes: shown };
+    let parts = Parts { names: &names, units: &file.units, axes: shown, own_numbers: true };
     let joints = architecture.as_ref().map_or(&[][..], |architecture| &architecture.joints);
     let loads = LoadsFile::read(root, &parts, joints, fittings.bushings, report);
     let vehicle = vehicle::read(root, &parts, report);

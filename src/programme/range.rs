@@ -2,7 +2,7 @@
 //! links come to each other.
 
 use super::stage::StageError;
-use crate::mechanism::{BodyId, Direction, ForceKind, Mechanism, PointId};
+use crate::mechanism::{BodyId, Direction, ForceKind, JointKind, Mechanism, PointId};
 use crate::model::{Model, Setup};
 use crate::rig::{Axle, LoadPoint};
 use crate::solve::{Stop, point_position};
@@ -142,8 +142,10 @@ fn joint_points(mechanism: &Mechanism) -> Vec<(BodyId, PointId)> {
         let [on_i, on_j] = joint.kind.points();
         let mut ends = vec![(joint.i, on_i), (joint.j, on_j)];
         // An arm on an axis through two points is held at both.
-        if let Some(Direction::Between(from, to)) = joint.kind.direction() {
-            ends.extend([(joint.j, from), (joint.j, to)]);
+        for direction in joint.kind.directions() {
+            if let Direction::Between(from, to) = direction {
+                ends.extend([(joint.j, from), (joint.j, to)]);
+            }
         }
         points.extend(ends);
     }
@@ -193,9 +195,9 @@ fn neighbours(mechanism: &Mechanism, body: BodyId, point: PointId) -> Vec<BodyId
     let mut found = vec![];
     let mut note = |i: BodyId, j: BodyId| found.push(if i == body { j } else { i });
     for joint in mechanism.joints().iter().filter(|joint| [joint.i, joint.j].contains(&body)) {
-        let on_axis = match joint.kind.direction() {
-            Some(Direction::Between(from, to)) => {
-                joint.kind.name() == "revolute" && [from, to].contains(&point)
+        let on_axis = match joint.kind {
+            JointKind::Revolute { axis: Direction::Between(from, to), .. } => {
+                [from, to].contains(&point)
             }
             _ => false,
         };

@@ -9,6 +9,7 @@ mod axle;
 mod channel;
 mod compliance;
 mod corner;
+pub mod follow;
 mod hold;
 mod line;
 mod load;

@@ -123,6 +123,11 @@ impl Stand {
         &self.elements[..6 * (self.mechanism().bodies().len() - 1)]
     }
 
+    /// The channels of all joints, which carry inertia also where no force element acts.
+    pub fn reaction_channels(&self) -> &[Channel] {
+        &self.joints
+    }
+
     /// The channels of drivers and force elements: all but those of bodies.
     pub fn force_channels(&self) -> &[Channel] {
         &self.elements[self.body_channels().len()..]

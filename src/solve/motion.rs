@@ -262,22 +262,24 @@ fn how(
 /// The named points that joints and drivers put on these bodies.
 fn points_on(mechanism: &Mechanism, bodies: &[BodyId]) -> Vec<(BodyId, PointId)> {
     let mut found = vec![];
-    let mut note =
-        |i: BodyId, j: BodyId, points: Option<[PointId; 2]>, along: Option<Direction>| {
-            for (side, body) in [i, j].into_iter().enumerate() {
-                if bodies.contains(&body) {
-                    found.extend(points.map(|points| (body, points[side])));
-                    if let Some(Direction::Between(from, to)) = along {
+    let mut note = |i: BodyId, j: BodyId, points: Option<[PointId; 2]>, along: Vec<Direction>| {
+        for (side, body) in [i, j].into_iter().enumerate() {
+            if bodies.contains(&body) {
+                found.extend(points.map(|points| (body, points[side])));
+                for direction in &along {
+                    if let Direction::Between(from, to) = *direction {
                         found.extend([(body, from), (body, to)]);
                     }
                 }
             }
-        };
+        }
+    };
     for joint in mechanism.joints() {
-        note(joint.i, joint.j, Some(joint.kind.points()), joint.kind.direction());
+        note(joint.i, joint.j, Some(joint.kind.points()), joint.kind.directions().collect());
     }
     for driver in mechanism.drivers() {
-        note(driver.i, driver.j, driver.kind.points(), driver.kind.direction());
+        let along = driver.kind.direction().into_iter().collect();
+        note(driver.i, driver.j, driver.kind.points(), along);
     }
     found
 }

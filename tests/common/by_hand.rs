@@ -43,6 +43,13 @@ pub fn residual(kind: RelationKind, state: &State) -> Vec<f64> {
                 (dot(&times(&a[0], &h[0..3]), &w), dot(&times(&a[0], &h[3..6]), &w));
             vec![sine * h[9].cos() - cosine * h[9].sin()]
         }
+        RelationKind::RackAndPinion => {
+            let turn = h[18] * dot(&times(&a[0], &h[9..12]), &between(&h[12..15], &h[15..18]));
+            let w = times(&a[1], &h[6..9]);
+            let (cosine, sine) =
+                (dot(&times(&a[0], &h[0..3]), &w), dot(&times(&a[0], &h[3..6]), &w));
+            vec![sine * turn.cos() - cosine * turn.sin()]
+        }
         RelationKind::PointHeight => vec![point(0, &h[0..3])[2] - h[3]],
         RelationKind::PatchHeight => {
             // The lowest point of the disc, found along the steepest descent in its plane.

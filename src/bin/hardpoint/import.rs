@@ -12,10 +12,9 @@ use crate::output::{Output, SideName};
 
 /// Make a model or mechanism file of a file of another program.
 ///
-/// Reads Adams/Car subsystems and assemblies (.sub, .asy) with their property files, suspension and
-/// steering files of Project Chrono (.json), Lotus SHARK (.shk) and Lotus point tables, tables of
-/// points
-/// (.csv), and models that `hardpoint export --to json` wrote. What is not taken over is listed
+/// Reads Adams/Solver datasets (.adm), Adams/Car subsystems and assemblies (.sub, .asy) with their
+/// property files, suspension and steering files of Project Chrono (.json), Lotus SHARK (.shk) and Lotus
+/// point tables, tables of points (.csv), and models that `hardpoint export --to json` wrote. What is not taken over is listed
 /// with its line on stderr, as is what the source does not say and had to be assumed.
 #[derive(Args)]
 #[command(after_help = "\
@@ -23,6 +22,7 @@ Examples:
   hardpoint import Sedan_DoubleWishbone.json -o sedan.toml
   hardpoint import TR_Front_Suspension.sub --database acar_shared=/data/shared_car_database.cdb -o front.toml
   hardpoint import points.csv --architecture double-wishbone --length mm --axes iso8855 -o corner.toml
+  hardpoint import pendulum.adm -o pendulum.toml
   hardpoint import car.shk --axle front --wheel-radius 280 -o front.toml")]
 pub struct Import {
     /// The file to import.
@@ -50,6 +50,10 @@ pub struct Import {
     /// The rolling radius of the tyre in the unit of the file, where the file has none.
     #[arg(long, value_name = "RADIUS", allow_negative_numbers = true)]
     wheel_radius: Option<f64>,
+    /// Leave out of an Adams/Solver dataset what hardpoint does not have, too, although the mechanism is then
+    /// another one.
+    #[arg(long)]
+    lenient: bool,
     /// The folder of an Adams database: `mdids://NAME/…` and `<NAME>/…` lie there. May be repeated.
     #[arg(long, value_name = "NAME=FOLDER", value_parser = database)]
     database: Vec<(String, PathBuf)>,
@@ -128,6 +132,7 @@ impl Import {
             }),
             wheel_radius: self.wheel_radius,
             databases: self.database.clone(),
+            lenient: self.lenient,
         })
     }
 }

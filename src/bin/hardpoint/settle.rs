@@ -6,11 +6,11 @@ use clap::Args;
 use hardpoint::factors::{Convention, Factor, basic};
 use hardpoint::mechanism::DriverId;
 use hardpoint::model::{
-    Axes, Chassis, Document, MechanismModel, Model, Quantity, Side, Units, WheelSupport,
+    Axes, Chassis, Document, Marker, MechanismModel, Model, Quantity, Side, Units, WheelSupport,
 };
 use hardpoint::relation::Coordinates;
 use hardpoint::report::{SettleReport, SettleRow};
-use hardpoint::rig::{Axle, Channel, Corner, Pose, RigError, Stand};
+use hardpoint::rig::{Axle, Channel, Corner, Pose, RigError, Stand, follow};
 use hardpoint::solve::dynamics::{
     Dynamics, DynamicsFailure, Integrator, SettlePlan, Start, StepSize, Trajectory,
 };
@@ -69,6 +69,9 @@ pub struct Settle {
     interval: f64,
     #[command(flatten)]
     rig: RigOptions,
+    /// Write what the joints carry, too, to the CSV file.
+    #[arg(long, requires = "output")]
+    reactions: bool,
     /// Hold the chassis of a quarter car.
     #[arg(long)]
     fixed_chassis: bool,
@@ -94,6 +97,9 @@ struct Recorder<'a> {
     sides: &'a [Side],
     poses: &'a Poses<'a>,
     channels: &'a [Channel],
+    markers: &'a [Marker],
+    /// The channels of joints; none where nobody asks for them.
+    joints: &'a [Channel],
 }
 
 /// A suspension on the rig with its equilibrium.
@@ -154,6 +160,8 @@ impl Settle {
                 sides: &sides,
                 poses: &|state| sides.map(|side| axle.pose_at(side, state)).to_vec(),
                 channels: axle.element_channels(),
+                markers: &[],
+                joints: self.joints(axle.stand()),
             };
             return self.follow(&specimen, &recorder, output);
         }
@@ -173,8 +181,15 @@ impl Settle {
             sides: &[model.side],
             poses: &|state| vec![corner.pose_at(state)],
             channels: corner.element_channels(),
+            markers: &[],
+            joints: self.joints(corner.stand()),
         };
         self.follow(&specimen, &recorder, output)
+    }
+
+    /// The channels of joints, where they are asked for.
+    fn joints<'a>(&self, stand: &'a Stand) -> &'a [Channel] {
+        if self.reactions { stand.reaction_channels() } else { &[] }
     }
 
     /// Follows the motion of wheels and compares its end with the equilibrium.
@@ -225,8 +240,15 @@ impl Settle {
         let (units, axes) = (model.units, Axes::Iso8855);
         let mut dynamics = self.dynamics(&stand, &released, axes)?;
         let channels: Vec<Channel> = [stand.body_channels(), stand.force_channels()].concat();
-        let recorder =
-            Recorder { units, axes, sides: &[], poses: &|_| vec![], channels: &channels };
+        let recorder = Recorder {
+            units,
+            axes,
+            sides: &[],
+            poses: &|_| vec![],
+            channels: &channels,
+            markers: &model.markers,
+            joints: self.joints(&stand),
+        };
         let trajectory = self.integrate(&mut dynamics, &recorder, output)?;
         let (end, rest) = (dynamics.loaded(), stand.equilibrium().loaded());
         let row = |channel: &Channel| SettleRow {
@@ -347,6 +369,8 @@ impl Recorder<'_> {
         let channel =
             |channel: &Channel| format!("{}_{}", channel.name, channel.quantity.symbol(self.units));
         header.extend(self.channels.iter().map(channel));
+        header.extend(self.markers.iter().flat_map(|marker| follow::columns(marker, self.units)));
+        header.extend(self.joints.iter().map(channel));
         header.extend(
             ["kinetic_energy_J", "potential_energy_J", "work_J", "energy_drift_J"]
                 .map(String::from),
@@ -362,10 +386,14 @@ impl Recorder<'_> {
             values.extend(kinematic().map(value));
         }
         let loaded = dynamics.loaded();
+        let reactions = if self.joints.is_empty() { vec![] } else { dynamics.reactions() };
         let value = |channel: &Channel| {
-            channel.quantity.show(self.units, channel.value(&loaded, &[], self.axes))
+            channel.quantity.show(self.units, channel.value(&loaded, &reactions, self.axes))
         };
         values.extend(self.channels.iter().map(value));
+        let marker = |marker| follow::values(marker, dynamics, self.units);
+        values.extend(self.markers.iter().flat_map(marker));
+        values.extend(self.joints.iter().map(value));
         let energy = dynamics.energy();
         values.extend([energy.kinetic, energy.potential, energy.work, energy.drift]);
         values

@@ -79,9 +79,11 @@ fn points_are_used(architecture: &Architecture, spans: &[Range<usize>], report: 
     }
     for joint in &architecture.joints {
         joint.kind.points().into_iter().for_each(&mut mark);
-        if let Some(Direction::Between(from, to)) = joint.kind.direction() {
-            mark(from);
-            mark(to);
+        for direction in joint.kind.directions() {
+            if let Direction::Between(from, to) = direction {
+                mark(from);
+                mark(to);
+            }
         }
     }
     for ((point, span), used) in architecture.points.iter().zip(spans).zip(used) {

@@ -37,7 +37,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
     let roles = roles(root, ground, report);
     let names = roles.names();
     let units = UnitsFile::absent();
-    let parts = Parts { names: &names, units: &units, axes: Axes::Iso8855 };
+    let parts = Parts { names: &names, units: &units, axes: Axes::Iso8855, own_numbers: false };
     let read_joints = parts.joints(root, report);
     let rack = rack(root, &read_joints, report);
     let wheel = wheel(root, &names, report);

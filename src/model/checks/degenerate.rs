@@ -10,33 +10,30 @@ impl Geometry<'_> {
     /// Axes between two points need two different points.
     pub(super) fn check_directions(&self, report: &mut Report) {
         for joint in &self.model.architecture.joints {
-            let (direction, what) = match joint.kind {
-                JointKind::Revolute { axis, .. }
-                | JointKind::Translational { axis, .. }
-                | JointKind::Cylindrical { axis, .. }
-                | JointKind::InLine { axis, .. }
-                | JointKind::Perpendicular { axis, .. } => (axis, "has no axis"),
-                JointKind::InPlane { normal, .. } => (normal, "has no plane"),
-                JointKind::Universal { shaft, .. } => (shaft, "has a shaft of zero length"),
-                JointKind::Link { on_i, on_j } => {
-                    (Direction::Between(on_i, on_j), "has zero length")
+            let what = match joint.kind {
+                JointKind::InPlane { .. } => "has no plane",
+                JointKind::Universal { .. } => "has a shaft of zero length",
+                JointKind::Link { .. } => "has zero length",
+                _ => "has no axis",
+            };
+            let length = match joint.kind {
+                JointKind::Link { on_i, on_j } => Some(Direction::Between(on_i, on_j)),
+                _ => None,
+            };
+            for direction in joint.kind.directions().chain(length) {
+                let Direction::Between(a, b) = direction else { continue };
+                if self.coincide(a, b) {
+                    let message = format!(
+                        "`{}` and `{}` are the same point, so the joint `{}` {what}",
+                        self.name(a),
+                        self.name(b),
+                        joint.name
+                    );
+                    report
+                        .mistake(self.span(b), message, "the same point")
+                        .also(self.span(a), "as this")
+                        .help("correct one of the two points");
                 }
-                JointKind::Spherical { .. } | JointKind::Fixed { .. } => continue,
-            };
-            let Direction::Between(a, b) = direction else {
-                continue;
-            };
-            if self.coincide(a, b) {
-                let message = format!(
-                    "`{}` and `{}` are the same point, so the joint `{}` {what}",
-                    self.name(a),
-                    self.name(b),
-                    joint.name
-                );
-                report
-                    .mistake(self.span(b), message, "the same point")
-                    .also(self.span(a), "as this")
-                    .help("correct one of the two points");
             }
         }
     }

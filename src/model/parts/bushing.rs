@@ -78,8 +78,8 @@ impl Parts<'_> {
         })))
     }
 
-    /// The axes of the file where a bushing names none.
-    fn triad(&self, section: &mut Section, report: &mut Report) -> Option<Triad> {
+    /// The axes of the file where a section names none.
+    pub(super) fn triad(&self, section: &mut Section, report: &mut Report) -> Option<Triad> {
         let mut axis = |key, default: [f64; 3]| match section.value(key) {
             None => Some(Direction::Fixed(self.axes.to_iso(default))),
             Some(_) => self.direction(section, key, report),

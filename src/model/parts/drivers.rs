@@ -1,10 +1,14 @@
 //! Reads `[[drivers]]` of mechanisms.
 
+use std::ops::Range;
+
 use toml::Spanned;
 
+use super::law::{self, Axis};
 use super::{Parts, named_sections};
-use crate::mechanism::{Driver, DriverKind};
+use crate::mechanism::{Course, Curve, Driver, DriverKind, Step, Wave};
 use crate::model::diagnostics::Report;
+use crate::model::quantity::Quantity;
 use crate::model::read::Section;
 
 const KINDS: &[&str] = &["rotation", "displacement", "length", "height"];
@@ -27,10 +31,62 @@ impl Parts<'_> {
             section.finish_open(report);
             return None;
         };
+        let quantity = if kind == "rotation" { Quantity::Angle } else { Quantity::Length };
         let kind = self.driver_kind(&mut section, kind, report);
+        let help = "say how it moves: `motion = { polynomial = [5.0] }` goes on by 5 each second";
+        let course = section.optional_section("motion", help, report);
+        let course = course.and_then(|course| self.course(course, name, quantity, report));
         section.finish(report);
         let ((i, j), kind) = (bodies?, kind?);
-        Some(Driver { name: name.to_owned(), i, j, kind })
+        Some(Driver { name: name.to_owned(), i, j, kind, course })
+    }
+
+    /// A motion in time: the sum of its parts. Times are in seconds.
+    fn course(
+        &self,
+        mut section: Section,
+        name: &str,
+        quantity: Quantity,
+        report: &mut Report,
+    ) -> Option<Course> {
+        let value = |number: f64, span: &Range<usize>, report: &mut Report| {
+            self.units.to_si(quantity, number, span, report)
+        };
+        let mut course = Course::default();
+        if let Some(factors) = section.optional::<Vec<f64>>("polynomial", report) {
+            let span = factors.span();
+            let factors = factors.into_inner().into_iter();
+            course.polynomial = factors.map(|factor| value(factor, &span, report)).collect();
+        }
+        if let Some(waves) = section.optional::<Vec<Spanned<[f64; 3]>>>("sine", report) {
+            course.waves.extend(waves.into_inner().into_iter().map(|wave| {
+                let (span, [amplitude, frequency, phase]) = (wave.span(), wave.into_inner());
+                let phase = self.units.to_si(Quantity::Angle, phase, &span, report);
+                Wave { amplitude: value(amplitude, &span, report), frequency, phase }
+            }));
+        }
+        for (key, fifth) in [("step", false), ("step5", true)] {
+            let steps = section.optional::<Vec<Spanned<[f64; 3]>>>(key, report);
+            for step in steps.into_iter().flat_map(Spanned::into_inner) {
+                let (span, [from, to, change]) = (step.span(), step.into_inner());
+                if from >= to {
+                    report
+                        .mistake(&span, format!("`{key}` ends before it begins"), "this step")
+                        .help("write where it begins, where it ends (s), and the change");
+                    continue;
+                }
+                let change = value(change, &span, report);
+                course.steps.push(Step { from, to, change, fifth });
+            }
+        }
+        if let Some(rows) = section.optional::<Vec<Spanned<[f64; 2]>>>("table", report) {
+            let axis = Axis { value: Quantity::Time, force: quantity, ..law::LENGTH };
+            if let Some(Curve::Table(table)) = self.table(&rows, name, axis, report) {
+                course.table = Some(table);
+            }
+        }
+        section.finish(report);
+        Some(course)
     }
 
     fn driver_kind(

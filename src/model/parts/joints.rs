@@ -5,6 +5,7 @@ use toml::Spanned;
 use super::{Parts, named_sections};
 use crate::mechanism::{BodyId, Direction, Joint, JointKind, PointId};
 use crate::model::diagnostics::Report;
+use crate::model::quantity::Quantity;
 use crate::model::read::Section;
 
 /// The y axis, along which racks slide. Joints know lines, which have no sign, and the
@@ -22,6 +23,28 @@ const KINDS: &[&str] = &[
     "in-plane",
     "in-line",
     "perpendicular",
+    "perpendicular-axes",
+    "parallel-axes",
+    "orientation",
+];
+
+/// The kinds of mechanisms: an architecture has no lengths of its own.
+const KINDS_WITH_LENGTHS: &[&str] = &[
+    "spherical",
+    "revolute",
+    "universal",
+    "translational",
+    "cylindrical",
+    "fixed",
+    "link",
+    "in-plane",
+    "in-line",
+    "perpendicular",
+    "perpendicular-axes",
+    "parallel-axes",
+    "orientation",
+    "rack-and-pinion",
+    "screw",
 ];
 
 impl Parts<'_> {
@@ -44,7 +67,8 @@ impl Parts<'_> {
 
     fn joint(&self, mut section: Section, name: &str, report: &mut Report) -> Option<Joint> {
         let bodies = self.between(&mut section, &format!("the joint `{name}`"), report);
-        let kind = section.word("kind", "joint kind", KINDS, report);
+        let kinds = if self.own_numbers { KINDS_WITH_LENGTHS } else { KINDS };
+        let kind = section.word("kind", "joint kind", kinds, report);
         let Some(kind) = kind else {
             // Which other keys the joint has depends on its kind.
             section.finish_open(report);
@@ -56,7 +80,7 @@ impl Parts<'_> {
         Some(Joint { name: name.to_owned(), i, j, kind })
     }
 
-    /// Reads the points and directions of a joint; `word` is one of [`KINDS`].
+    /// Reads the points and directions of a joint; `word` is one of [`KINDS_WITH_LENGTHS`].
     fn joint_kind(
         &self,
         section: &mut Section,
@@ -72,9 +96,35 @@ impl Parts<'_> {
         match word {
             "spherical" => Some(JointKind::Spherical { at: at? }),
             "fixed" => Some(JointKind::Fixed { at: at? }),
+            "orientation" => Some(JointKind::Orientation { at: at? }),
+            "universal" if section.has("pin_i") || section.has("pin_j") => {
+                let pin_i = self.direction(section, "pin_i", report);
+                let pin_j = self.direction(section, "pin_j", report);
+                Some(JointKind::Hooke { at: at?, pin_i: pin_i?, pin_j: pin_j? })
+            }
             "universal" => {
                 let shaft = self.direction(section, "shaft", report);
                 Some(JointKind::Universal { at: at?, shaft: shaft? })
+            }
+            "perpendicular-axes" => {
+                let axis_i = self.direction(section, "axis_i", report);
+                let axis_j = self.direction(section, "axis_j", report);
+                Some(JointKind::PerpendicularAxes { at: at?, axis_i: axis_i?, axis_j: axis_j? })
+            }
+            "rack-and-pinion" => {
+                let axis = self.direction(section, "axis", report);
+                let along = self.direction(section, "along", report);
+                let help = "write the way of the rack along its direction for each radian of the pinion: `pitch_radius = 8.0`";
+                let radius = self.number(section, "pitch_radius", Quantity::Length, help, report);
+                let (axis, along) = (axis?, along?);
+                let pitch_radius = radius?.into_inner();
+                Some(JointKind::RackAndPinion { at: at?, axis, along, pitch_radius })
+            }
+            "screw" => {
+                let axis = self.direction(section, "axis", report);
+                let help = "write the way of the second body along the axis for each right-handed turn: `lead = 5.0`";
+                let lead = self.number(section, "lead", Quantity::Length, help, report);
+                Some(JointKind::Screw { at: at?, axis: axis?, lead: lead?.into_inner() })
             }
             "in-plane" => {
                 let normal = self.direction(section, "normal", report);
@@ -87,8 +137,9 @@ impl Parts<'_> {
                     "revolute" => JointKind::Revolute { at, axis },
                     "translational" => JointKind::Translational { at, axis },
                     "cylindrical" => JointKind::Cylindrical { at, axis },
-                    "in-line" => JointKind::InLine { at, axis },
-                    _ => JointKind::Perpendicular { at, axis },
+                    "perpendicular" => JointKind::Perpendicular { at, axis },
+                    "parallel-axes" => JointKind::ParallelAxes { at, axis },
+                    _ => JointKind::InLine { at, axis },
                 })
             }
         }
@@ -116,7 +167,13 @@ pub(crate) fn joint_points(joints: &[Joint], body: BodyId) -> Vec<PointId> {
             | JointKind::Fixed { at }
             | JointKind::InPlane { at, .. }
             | JointKind::InLine { at, .. }
-            | JointKind::Perpendicular { at, .. } => vec![at],
+            | JointKind::Perpendicular { at, .. }
+            | JointKind::Hooke { at, .. }
+            | JointKind::PerpendicularAxes { at, .. }
+            | JointKind::ParallelAxes { at, .. }
+            | JointKind::Orientation { at }
+            | JointKind::RackAndPinion { at, .. }
+            | JointKind::Screw { at, .. } => vec![at],
         });
     }
     points.sort_unstable();

@@ -8,6 +8,7 @@ mod forces;
 mod joints;
 mod law;
 mod line;
+mod markers;
 mod masses;
 mod places;
 mod torsion;
@@ -22,6 +23,7 @@ use super::quantity::Quantity;
 use super::read::{FromToml, Section, as_section};
 use super::units_file::UnitsFile;
 pub(crate) use joints::{Y, joint_points};
+pub use markers::Marker;
 pub(crate) use masses::{gravity, gravity_vector};
 pub use tyre::TyreContact;
 pub(crate) use tyre::TyreFile;
@@ -31,6 +33,9 @@ pub(crate) struct Parts<'a> {
     pub(crate) names: &'a Names,
     pub(crate) units: &'a UnitsFile,
     pub(crate) axes: Axes,
+    /// Whether directions may be vectors and joints may have lengths. Those of an architecture, which has
+    /// neither units nor axes, follow from its points.
+    pub(crate) own_numbers: bool,
 }
 
 impl Parts<'_> {

@@ -1,6 +1,7 @@
 //! Points, directions and pairs of bodies.
 
 use toml::Spanned;
+use toml::de::DeValue;
 
 use super::Parts;
 use crate::mechanism::{BodyId, Direction, PointId};
@@ -52,7 +53,7 @@ impl Parts<'_> {
         self.names.point(&name, report)
     }
 
-    /// A direction: two points, or the name of an axis of the file.
+    /// A direction: two points, the name of an axis of the file, or a vector in its axes.
     pub(crate) fn direction(
         &self,
         section: &mut Section,
@@ -65,6 +66,13 @@ impl Parts<'_> {
         if section.value(key).is_some_and(|value| value.get_ref().is_str()) {
             let axis = section.choice(key, "axis", AXES, ", or two points", report)?;
             return Some(Direction::Fixed(self.axes.to_iso(axis.into_inner())));
+        }
+        let list = section.value(key).and_then(|value| value.get_ref().as_array());
+        let number =
+            |value: &Spanned<DeValue>| value.get_ref().is_float() || value.get_ref().is_integer();
+        if self.own_numbers && list.is_some_and(|list| list.iter().next().is_some_and(number)) {
+            let vector = section.required::<[f64; 3]>(key, &help, report)?;
+            return Some(Direction::Fixed(self.axes.to_iso(vector.into_inner())));
         }
         let [from, to] = self.two_points(section, key, &help, report)?;
         Some(Direction::Between(from, to))

@@ -181,6 +181,7 @@ impl Dynamics {
 
     /// Evaluates everything at the present again, after attempts that failed.
     fn evaluate_now(&mut self) {
+        self.set_clock(self.now.time);
         let Self { now, h, phi, .. } = self;
         self.kkt.residual_in_motion(now.motion(), h, &now.lambda, phi);
     }

@@ -88,12 +88,15 @@ impl Dynamics {
         let loads = self.load.chunks_exact(BODY_COORDINATES).zip(velocities);
         let load: f64 =
             loads.flat_map(|(load, v)| load.iter().zip(v)).map(|(load, v)| load * v).sum();
-        load + self.kkt.elements().power()
+        load + self.kkt.elements().power() + self.driven_power()
     }
 
     fn measure_drift(&mut self) {
         let Self { now, h, phi_rate, .. } = self;
         self.terms.velocity_product(&now.state, &now.velocity, h, phi_rate);
+        for driven in &self.driven {
+            phi_rate[driven.equation] -= driven.now.first;
+        }
         for equation in 0..self.phi.len() {
             if self.is_released(equation) {
                 continue;

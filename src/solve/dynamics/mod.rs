@@ -15,6 +15,7 @@
 //! | `start` | velocities, accelerations and multipliers that fit the joints |
 //! | `inertia` | motions that no mass takes part in |
 //! | `step` | one step: Newton's method for accelerations and multipliers |
+//! | `course` | drivers that follow a course of time |
 //! | `control` | steps one after the other, as long as they have to be |
 //! | `energy` | the balance of energy and the drift of constraints |
 //! | `observe` | where points are, how fast they move |
@@ -22,6 +23,7 @@
 //! | `failure` | why a motion cannot go on |
 
 mod control;
+mod course;
 mod energy;
 mod failure;
 mod inertia;
@@ -37,6 +39,7 @@ pub use method::{Integrator, StepSize};
 pub use settle::{Rest, SettlePlan, Trajectory};
 pub use start::{Start, StartReport};
 
+use self::course::{Driven, driven};
 use self::method::Coefficients;
 use super::linear::{LinearSolver, solver};
 use super::position::Scales;
@@ -83,6 +86,7 @@ pub struct Dynamics {
     sizes: Vec<f64>,
     h: Vec<f64>,
     load: Vec<f64>,
+    driven: Vec<Driven>,
     integrator: Integrator,
     coefficients: Coefficients,
     now: Snapshot,
@@ -153,7 +157,8 @@ impl Snapshot {
 
 impl Dynamics {
     /// Puts the mechanism into motion at time zero, with consistent velocities, accelerations and
-    /// multipliers. Drivers that are not released hold their current values.
+    /// multipliers. Drivers that are not released hold their current values or follow their courses from
+    /// there.
     ///
     /// # Errors
     /// [`DynamicsFailure`] for numbers that are not finite, a position in which the joints do
@@ -189,6 +194,7 @@ impl Dynamics {
             linear: solver(kkt.pattern()),
             scales: position.scales,
             sizes: position.sizes().to_vec(),
+            driven: driven(system.mechanism(), expansion, start.released, &position.h),
             h: position.h.clone(),
             load,
             coefficients: integrator.coefficients(),

@@ -123,6 +123,11 @@ impl Dynamics {
         for (out, &equation) in constraints.iter_mut().zip(self.numbering.kept()) {
             *out = -self.phi_rate[equation];
         }
+        for driven in &self.driven {
+            if let Some(row) = self.numbering.row(driven.equation) {
+                constraints[row] += driven.now.first;
+            }
+        }
         self.linear
             .solve(&mut self.right_side)
             .map_err(|_| DynamicsFailure::Undetermined { time: 0.0 })?;
@@ -158,7 +163,9 @@ impl Dynamics {
                 report.body = body.name.clone();
             }
         }
-        report.contradicts = most > ROUNDING * report.requested;
+        // What drivers set in motion was not asked to rest.
+        let asked = self.driven.is_empty() || report.requested > 0.0;
+        report.contradicts = asked && most > ROUNDING * report.requested;
         report
     }
 
@@ -175,6 +182,11 @@ impl Dynamics {
         force.iter_mut().zip(balance).for_each(|(out, (load, force))| *out = load - force);
         for (out, &equation) in constraints.iter_mut().zip(self.numbering.kept()) {
             *out = -self.phi_rate[equation];
+        }
+        for driven in &self.driven {
+            if let Some(row) = self.numbering.row(driven.equation) {
+                constraints[row] += driven.now.second;
+            }
         }
         self.matrix.step = 0.0;
         let solved = self.linear.factorise(self.kkt.values());
@@ -207,7 +219,9 @@ impl Dynamics {
                     self.now.velocity[body][k] += dt * a;
                 }
             }
+            self.set_clock(here.time + dt);
             self.accelerate()?;
+            self.set_clock(here.time);
         }
         let shifted = self.now.acceleration.clone();
         self.now = here;

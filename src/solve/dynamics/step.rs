@@ -45,6 +45,7 @@ pub(super) enum StepFailure {
 impl Dynamics {
     /// Tries a step from `now` to `next`.
     pub(super) fn attempt(&mut self, dt: f64) -> Result<(), StepFailure> {
+        self.set_clock(self.now.time + dt);
         self.predict(dt);
         self.correct(dt)?;
         let Self { next, h, phi, .. } = self;
@@ -178,6 +179,7 @@ impl Dynamics {
     /// Equations that are independent at the start may depend on each other elsewhere while left-out
     /// ones do not.
     pub(super) fn replan(&mut self) -> bool {
+        self.set_clock(self.now.time);
         let state = &self.now.state;
         let (jacobian, _) =
             scaled_jacobian(&self.expansion, &self.terms, state, &self.h, self.scales);
