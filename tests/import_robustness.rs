@@ -22,6 +22,8 @@ const SEEDS: &[(&str, &[u8])] = &[
     ("strut.json", include_bytes!("fixtures/import/strut.json")),
     ("wishbone.json", include_bytes!("fixtures/import/wishbone.json")),
     ("pitman.json", include_bytes!("fixtures/import/pitman.json")),
+    ("revolute.adm", include_bytes!("fixtures/adams/revolute.adm")),
+    ("torsion.adm", include_bytes!("fixtures/adams/torsion-expression.adm")),
     ("model.toml", include_bytes!("../models/sedan-axle.toml")),
     ("mechanism.toml", include_bytes!("../models/squeezer.toml")),
 ];
