@@ -4,6 +4,7 @@
 use super::border::Border;
 use super::equilibrium::Equilibrium;
 use super::linear::Singular;
+use super::newton::Equations as _;
 use super::tangent::Tangent;
 use crate::assembly::Numbering;
 use crate::mechanism::{DriverId, Owner};
@@ -158,7 +159,7 @@ impl<'a> Linearised<'a> {
         hold.rates.clear();
         for (k, &driver) in hold.drivers.iter().enumerate() {
             let equation = it.equation_of(driver);
-            it.change_parameters(driver);
+            it.change_parameters([(driver, 1.0)]);
             hold.equations.push(equation);
             hold.rates.push(-it.scratch.phi_change[equation]);
             let (problem, gradient) = (&mut it.problem, hold.border.condition_mut(k));
@@ -192,14 +193,8 @@ impl<'a> Linearised<'a> {
             if it.expansion.equations_of(Owner::Driver(driver)).any(left_out) {
                 return Err(Singular);
             }
-            it.change_parameters(driver);
-            let (force, phi) = it.step.split_at_mut(it.problem.kkt.unknowns());
-            for (out, change) in force.iter_mut().zip(&it.scratch.force_change) {
-                *out = -change;
-            }
-            for (out, &equation) in phi.iter_mut().zip(it.problem.numbering.kept()) {
-                *out = -it.scratch.phi_change[equation];
-            }
+            it.change_parameters([(driver, 1.0)]);
+            it.answer_to_change();
             it.linear.solve_refined(&mut it.step)?;
             let Hold { border, multipliers, .. } = &mut it.scratch.hold;
             border.keep(&mut it.step, multipliers);
@@ -210,11 +205,11 @@ impl<'a> Linearised<'a> {
 }
 
 impl Equilibrium {
-    /// Finds Φ_h and (Φ_qᵀλ)_h by the value of a driver.
-    fn change_parameters(&mut self, driver: DriverId) {
+    /// Finds Φ_h and (Φ_qᵀλ)_h by changes of values of drivers.
+    fn change_parameters(&mut self, changes: impl IntoIterator<Item = (DriverId, f64)>) {
         let (problem, scratch) = (&mut self.problem, &mut self.scratch);
         scratch.dh.fill(0.0);
-        self.expansion.driver_slots().add([(driver, 1.0)], &mut scratch.dh);
+        self.expansion.driver_slots().add(changes, &mut scratch.dh);
         problem.kkt.terms().design_products(
             &problem.state,
             &problem.h,
@@ -229,6 +224,39 @@ impl Equilibrium {
             &scratch.dh,
             &mut scratch.force_change,
         );
+    }
+}
+
+impl Equilibrium {
+    /// The right side −[(Φ_qᵀλ)_h; Φ_h] of the change that was found last.
+    fn answer_to_change(&mut self) {
+        let (force, phi) = self.step.split_at_mut(self.problem.kkt.unknowns());
+        for (out, change) in force.iter_mut().zip(&self.scratch.force_change) {
+            *out = -change;
+        }
+        for (out, &equation) in phi.iter_mut().zip(self.problem.numbering.kept()) {
+            *out = -self.scratch.phi_change[equation];
+        }
+    }
+
+    /// Goes along the tangent of the current equilibrium by what drivers are about to change (m or rad):
+    /// where Newton's method begins. Returns the size of the step, relative to the mechanism; infinite
+    /// where there is no tangent, and nothing has moved then.
+    pub(super) fn predict(&mut self, changes: &[(DriverId, f64)]) -> f64 {
+        let problem = &mut self.problem;
+        problem.kkt.fill(&problem.state, &problem.h, &problem.lambda, &mut problem.phi);
+        self.change_parameters(changes.iter().copied());
+        self.answer_to_change();
+        let solved = self.linear.factorise(self.problem.kkt.values());
+        if solved.and_then(|()| self.linear.solve(&mut self.step)).is_err() {
+            return f64::INFINITY;
+        }
+        let size = self.problem.step_size(&self.step);
+        if size.is_finite() {
+            self.problem.begin_step();
+            self.problem.take_step(&self.step, 1.0);
+        }
+        size
     }
 }
 

@@ -167,7 +167,14 @@ impl Equilibrium {
     pub fn move_to(&mut self, targets: &[(DriverId, f64)]) -> Result<StaticReport, StaticFailure> {
         let mut report = StaticReport::default();
         let from: Vec<f64> = targets.iter().map(|&(driver, _)| self.driver_value(driver)).collect();
-        let reached = self.follow(&mut report, |it, t| it.set_drivers(targets, &from, t));
+        let mut changes = targets.to_vec();
+        let predict = |it: &mut Self, part: f64| {
+            for ((change, &(_, to)), from) in changes.iter_mut().zip(targets).zip(&from) {
+                change.1 = part * (to - from);
+            }
+            it.predict(&changes)
+        };
+        let reached = self.follow(&mut report, predict, |it, t| it.set_drivers(targets, &from, t));
         if reached < 1.0 {
             let hint = "the joints may be at the end of their travel";
             return Err(match self.no_equilibrium(reached, hint) {
@@ -190,18 +197,26 @@ impl Equilibrium {
     fn step_loads(&mut self, report: &mut StaticReport) -> f64 {
         self.problem.measure();
         self.problem.hold_residual();
-        self.follow(report, |it, t| it.problem.held = 1.0 - t)
+        // What is held at the start has no tangent that would be worth a factorisation.
+        self.follow(report, |_, _| 0.0, |it, t| it.problem.held = 1.0 - t)
     }
 
     /// Follows the equilibrium while `set` goes from 0 to 1, in steps as large as Newton's method
-    /// takes them; returns where it got to. State and setting are then those that were reached.
-    fn follow(&mut self, report: &mut StaticReport, set: impl Fn(&mut Self, f64)) -> f64 {
+    /// takes them; returns where it got to. State and setting are then those that were reached. `predict`
+    /// begins a step of a length with what it can foresee, and says how far it goes.
+    fn follow(
+        &mut self,
+        report: &mut StaticReport,
+        mut predict: impl FnMut(&mut Self, f64) -> f64,
+        set: impl Fn(&mut Self, f64),
+    ) -> f64 {
         let mut saved = (self.problem.state.clone(), self.problem.lambda.clone());
         let (mut t, mut dt): (f64, f64) = (0.0, 1.0);
         while t < 1.0 {
             let next = if t + dt >= 1.0 - SHORTEST { 1.0 } else { t + dt };
+            let foreseen = predict(self, next - t);
             set(self, next);
-            if self.newton_within_step(report).converged() {
+            if foreseen <= LONGEST_STEP && self.newton_within_step(report).converged() {
                 saved.0.copy_from_slice(&self.problem.state);
                 saved.1.copy_from_slice(&self.problem.lambda);
                 self.elements_mut().accept();
