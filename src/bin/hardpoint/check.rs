@@ -14,6 +14,7 @@ use hardpoint::solve::{StaticFailure, StaticReport};
 use crate::failure::Failure;
 use crate::load;
 use crate::output::{Output, SideName, axes_of_words};
+use crate::settings::Settings;
 
 /// Check a model: mistakes in the file, degrees of freedom, redundant equations, free motions.
 ///
@@ -34,6 +35,8 @@ pub struct Check {
     /// Look at this side of the vehicle; the other side is the mirror image of the model.
     #[arg(long)]
     side: Option<SideName>,
+    #[command(flatten)]
+    settings: Settings,
 }
 
 impl Check {
@@ -42,6 +45,7 @@ impl Check {
         let rig = |error| Failure::Rig(self.model.display().to_string(), Box::new(error));
         match load(&self.model, self.side)? {
             Document::Suspension(model) if self.axle => {
+                let model = self.settings.apply(model)?;
                 let mut axle = Axle::new(&model, &Setup::default()).map_err(rig)?;
                 warn_of_ratio(&model);
                 let poses = [Side::Left, Side::Right].map(|side| axle.pose(side));
@@ -51,6 +55,7 @@ impl Check {
                 Output::Stdout.write(|writer| suspension(writer, &model, parts, &poses, held))
             }
             Document::Suspension(model) => {
+                let model = self.settings.apply(model)?;
                 warn_of_ratio(&model);
                 let mut corner = Corner::new(&model, &Setup::default()).map_err(rig)?;
                 let poses = [corner.pose()];
@@ -62,6 +67,9 @@ impl Check {
             Document::Mechanism(_) if self.axle => Err(Failure::Usage(
                 "--axle belongs to suspensions; this file is a mechanism".into(),
             )),
+            Document::Mechanism(_) if self.settings.given() => {
+                Err(Failure::Usage("--set belongs to suspensions; this file is a mechanism".into()))
+            }
             Document::Mechanism(model) => {
                 let mut stand =
                     Stand::new(model.mechanism.clone(), &[], Axes::Iso8855).map_err(rig)?;
