@@ -189,3 +189,24 @@ fn cases_come_from_a_file() {
     hardpoint(&["sweep", AXLE, "--cases", &cases, "--event", "travel"]).code(2);
     hardpoint(&["sweep", AXLE, "--axle", "--cases", "nowhere.csv"]).code(1);
 }
+
+#[test]
+fn what_is_gone_through_is_not_held_as_well() {
+    let envelope = [KINEMATIC, "--event", "envelope", "--rack", "10"];
+    usage(&envelope, "--rack holds the rack at one value");
+    usage(&[KINEMATIC, "--rack", "10", "--over", "rack=0:10:10"], "leave out --rack");
+    let steer = [KINEMATIC, "--event", "steer", "--travel", "5", "--over", "travel=0:10:10"];
+    usage(&steer, "--travel holds the travel at one value");
+}
+
+#[test]
+fn an_envelope_goes_to_the_limits_of_the_rack() {
+    let model = fs::read_to_string(KINEMATIC).expect("the model");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("limited.toml");
+    fs::write(&path, format!("{model}\n[steering]\nlimits = [-25.0, 20.0]\n")).expect("a file");
+    let path = path.to_str().expect("a name");
+    let range = ["--from", "0", "--to", "0", "--columns", "rack"];
+    let text = csv(&[&[path, "--event", "envelope"], &range[..]].concat());
+    assert_eq!(column(&text, "rack_mm"), [-20.0, -10.0, 0.0, 10.0, 20.0]);
+}

@@ -119,3 +119,43 @@ fn report_has_the_tables_of_lotus() {
     assert_eq!(stderr(&done), "");
     insta::assert_snapshot!(stdout(&done));
 }
+
+/// What cannot be reached is told in the units of the model, and nothing of an earlier run stays as if it
+/// were of this one.
+#[test]
+fn programme_tells_what_is_beyond_the_limits_of_the_rack() {
+    let model = fs::read_to_string("models/double-wishbone.toml").expect("the model");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("limited.toml");
+    fs::write(&path, format!("{model}\n[steering]\nlimits = [-20.0, 20.0]\n")).expect("a file");
+    let out = folder.path().join("out");
+    fs::create_dir(&out).expect("a folder");
+    fs::write(out.join("compliance.csv"), "of an earlier run").expect("a file");
+    let words = [&path, &out].map(|path| path.to_str().expect("a name"));
+    let told = hardpoint(&["rig", words[0], "--rack", "40", "-o", words[1]]).code(3);
+    let told = stderr(&told);
+    assert!(told.contains("envelope: rack -40 mm: stopped at"), "{told}");
+    assert!(out.join("summary.txt").exists() && !out.join("compliance.csv").exists());
+}
+
+/// The programme and the check belong to the same car as the sweeps.
+#[test]
+fn commands_set_the_car_otherwise() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("a name");
+    let model = "models/sedan-setup.toml";
+    let short = ["--kinematic", "--travel", "10", "--roll", "0.5", "--rack", "5", "--force", "50"];
+    let set = ["--set", "toe=0.4"];
+    hardpoint(&[&["rig", model, "-o", out], &short[..], &set].concat()).success();
+    let steer = rows(&folder.path().join("steer.csv"));
+    let toe = number(&steer[steer.len() / 2], "left_toe_deg");
+    assert!((toe - 0.4).abs() < 1e-6, "{toe}");
+    for command in ["check", "report"] {
+        let shown = stdout(&hardpoint(&[&[command, model], &set[..]].concat()).success());
+        assert!(shown.contains("0.4000"), "{shown}");
+        let told = stderr(&hardpoint(&[command, model, "--set", "toes=1"]).code(2));
+        assert!(told.contains("`toes`"), "{told}");
+    }
+    let mechanism = hardpoint(&["check", "models/four-bar.toml", "--set", "toe=1"]).code(2);
+    assert!(stderr(&mechanism).contains("--set belongs to suspensions"));
+}

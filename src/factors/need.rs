@@ -51,7 +51,8 @@ impl Need {
                 "a state off a dead centre, and one of equilibrium where the wheel is free"
             }
             Self::Compliance => {
-                "a compliance matrix: forces that hold the wheel where the rig lets it go"
+                "a compliance matrix: a wheel that the rig holds at a travel, and forces that hold it where \
+                 the rig lets it go"
             }
             Self::BothWheels => "both wheels: the option --axle",
             Self::Tyre => "a section [tyre], and forces that give the load on it",

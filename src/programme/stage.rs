@@ -129,7 +129,10 @@ impl Stage {
                 }
                 axle.reset();
             }
-            plans.push((format!("rack {rack}"), plan));
+            let length = model.units.length;
+            // Nine digits hide the change of units.
+            let shown = (length.from_metres(rack) * 1e9).round() / 1e9;
+            plans.push((format!("rack {shown} {}", length.symbol()), plan));
         }
         let sweep = match plans.as_slice() {
             [(_, plan)] => Sweep::run(&mut axle, plan, progress),

@@ -18,6 +18,7 @@ use crate::failure::Failure;
 use crate::load;
 use crate::loads::FARTHEST;
 use crate::output::{Output, SideName, axes_of_words};
+use crate::settings::Settings;
 
 /// Check a model: mistakes in the file, degrees of freedom, redundant equations, free motions.
 ///
@@ -43,13 +44,18 @@ pub struct Check {
     /// [80 mm without a value].
     #[arg(long, value_name = "T", num_args = 0..=1)]
     range: Option<Option<f64>>,
+    #[command(flatten)]
+    settings: Settings,
 }
 
 impl Check {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
         let rig = |error| Failure::Rig(self.model.display().to_string(), Box::new(error));
-        let document = load(&self.model, self.side)?;
+        let document = match load(&self.model, self.side)? {
+            Document::Suspension(model) => Document::Suspension(self.settings.apply(model)?),
+            mechanism => mechanism,
+        };
         self.facts(&document, rig)?;
         match (document, self.range) {
             (_, None) => Ok(()),
@@ -83,6 +89,9 @@ impl Check {
             Document::Mechanism(_) if self.axle => Err(Failure::Usage(
                 "--axle belongs to suspensions; this file is a mechanism".into(),
             )),
+            Document::Mechanism(_) if self.settings.given() => {
+                Err(Failure::Usage("--set belongs to suspensions; this file is a mechanism".into()))
+            }
             Document::Mechanism(model) => {
                 let mut stand =
                     Stand::new(model.mechanism.clone(), &[], Axes::Iso8855).map_err(rig)?;

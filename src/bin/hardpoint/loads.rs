@@ -6,6 +6,7 @@ use hardpoint::rig::{LOAD_COMPONENTS, Load, LoadPoint};
 
 use crate::failure::Failure;
 use crate::output::DriveName;
+use crate::settings::Settings;
 
 /// How a corner or an axle stands on the rig and what loads its wheels.
 #[derive(Args)]
@@ -25,10 +26,8 @@ pub struct RigOptions {
     /// a compliance wheel-center].
     #[arg(long, value_enum)]
     at: Option<LoadPointName>,
-    /// Another value for something that the model lets be set, such as toe=0.2 of [static], ride_height=-10 or
-    /// tie_rod_length=1.5 of [adjusters], in its units; may be given several times.
-    #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
-    set: Vec<String>,
+    #[command(flatten)]
+    settings: Settings,
 }
 
 /// Where a load acts.
@@ -53,7 +52,7 @@ impl RigOptions {
             (self.kinematic, "--kinematic"),
             (!self.loads.is_empty(), "--load"),
             (self.at.is_some(), "--at"),
-            (!self.set.is_empty(), "--set"),
+            (self.settings.given(), "--set"),
         ];
         match given.into_iter().find(|(given, _)| *given) {
             Some((_, option)) => Err(Failure::Usage(format!(
@@ -64,16 +63,8 @@ impl RigOptions {
     }
 
     /// The model with what `--set` says.
-    pub fn set(&self, mut model: Model) -> Result<Model, Failure> {
-        for text in &self.set {
-            let wrong = |why: &str| Failure::Usage(format!("--set {text}: {why}"));
-            let (name, value) = text
-                .split_once('=')
-                .ok_or_else(|| wrong("write a name and a number, such as toe=0.2"))?;
-            let value = value.trim().parse().map_err(|_| wrong("the value is not a number"))?;
-            model.set_static(name.trim(), value).map_err(|why| wrong(&why))?;
-        }
-        Ok(model)
+    pub fn set(&self, model: Model) -> Result<Model, Failure> {
+        self.settings.apply(model)
     }
 
     /// Where loads act.

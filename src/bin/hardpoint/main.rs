@@ -13,6 +13,7 @@ mod output;
 mod progress;
 mod report;
 mod rig;
+mod settings;
 mod settle;
 mod steering;
 mod sweep;

@@ -11,6 +11,7 @@ use hardpoint::rig::{Axle, RigError};
 use crate::failure::Failure;
 use crate::load;
 use crate::output::{DriveName, Output, axes_of_words};
+use crate::settings::Settings;
 
 /// Print bump, roll, steering and static values of an axle in the order and by the definitions of Lotus
 /// Suspension Analysis, for direct comparison.
@@ -29,6 +30,8 @@ pub struct Report {
     /// Which height the bump means [default: contact-patch].
     #[arg(long, value_enum)]
     drive: Option<DriveName>,
+    #[command(flatten)]
+    settings: Settings,
     /// Bump to both sides [default: 80 mm].
     #[arg(long, value_name = "B", allow_negative_numbers = true)]
     bump: Option<f64>,
@@ -60,6 +63,7 @@ impl Report {
                 "the report belongs to suspensions; this file is a mechanism".into(),
             ));
         };
+        let model = self.settings.apply(model)?;
         let output = Output::beside(&self.model, self.output.as_deref())?;
         let drive = self.drive.map_or(Drive::ContactPatch, Into::into);
         // The report is one of kinematics, as that of Lotus.

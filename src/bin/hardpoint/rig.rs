@@ -1,6 +1,7 @@
 //! `hardpoint rig`: the standard programme, into a folder.
 
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -16,6 +17,7 @@ use crate::failure::Failure;
 use crate::load;
 use crate::output::{ConventionName, DriveName, Output, axes_of_words};
 use crate::progress::Progress;
+use crate::settings::Settings;
 
 /// Run the standard programme of a K&C rig on an axle into a folder of CSV files with a summary.
 ///
@@ -33,7 +35,8 @@ columns are those of `hardpoint factors --list`.
 Examples:
   hardpoint rig models/sedan-axle.toml
   hardpoint rig models/lotus-front.toml --drive contact-patch --convention lotus -o lotus
-  hardpoint rig models/sedan-axle.toml --travel 60 --rack 50 --force 4000 -o sedan")]
+  hardpoint rig models/sedan-axle.toml --travel 60 --rack 50 --force 4000 -o sedan
+  hardpoint rig models/sedan-setup.toml --set ride_height=-15 -o low")]
 pub struct Rig {
     /// The model file.
     model: PathBuf,
@@ -46,6 +49,8 @@ pub struct Rig {
     /// Swap bushings back for the rigid joints that they replace.
     #[arg(long)]
     kinematic: bool,
+    #[command(flatten)]
+    settings: Settings,
     /// Whose definitions of factors to follow where programs differ.
     #[arg(long, value_enum, default_value = "iso")]
     convention: ConventionName,
@@ -84,6 +89,7 @@ impl Rig {
                 "the programme belongs to suspensions; this file is a mechanism".into(),
             ));
         };
+        let model = self.settings.apply(model)?;
         let stages = standard(&model, &self.ranges(&model)?);
         let setup = Setup {
             drive: self.drive.map(Into::into).unwrap_or_default(),
@@ -95,6 +101,8 @@ impl Rig {
         let at_rest = self.at_rest(&model, &setup)?;
         fs::create_dir_all(&folder)
             .map_err(|error| Failure::Output(folder.display().to_string(), error))?;
+        // A summary is there only beside the files that it speaks of.
+        remove(&folder.join("summary.txt"))?;
         let progress = Progress::new(stages.iter().map(Stage::states).sum());
         let mut before = 0;
         let mut results = vec![];
@@ -104,6 +112,7 @@ impl Rig {
             results.push(match done {
                 Ok(run) => self.write_stage(stage, &run, &model, &setup, &folder)?,
                 Err(error) => {
+                    remove(&folder.join(file_of(&stage)))?;
                     let notes = vec![error.to_string()];
                     StageResult { stage, file: None, reached: 0, iterations: 0, notes }
                 }
@@ -201,7 +210,7 @@ impl Rig {
             factors: Some(&factors),
             convention,
         };
-        let file = format!("{}.csv", stage.name);
+        let file = file_of(&stage);
         Output::File(folder.join(&file)).write(|writer| report.write_csv(writer))?;
         Ok(StageResult {
             file: Some(file),
@@ -228,7 +237,7 @@ impl Rig {
             adjustments,
         };
         Output::File(folder.join("factors.csv")).write(|writer| sheet.write_csv(writer))?;
-        let Some(compliance) = compliance else { return Ok(()) };
+        let Some(compliance) = compliance else { return remove(&folder.join("compliance.csv")) };
         debug_assert_eq!(compliance.at(), LoadPoint::WheelCenter);
         let report = ComplianceReport {
             title: &model.name,
@@ -237,6 +246,20 @@ impl Rig {
             compliance,
         };
         Output::File(folder.join("compliance.csv")).write(|writer| report.write_csv(writer))
+    }
+}
+
+fn file_of(stage: &Stage) -> String {
+    format!("{}.csv", stage.name)
+}
+
+/// Removes what an earlier run left under a name that this one has nothing for.
+fn remove(path: &Path) -> Result<(), Failure> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => {
+            Err(Failure::Output(path.display().to_string(), error))
+        }
+        _ => Ok(()),
     }
 }
 

@@ -63,7 +63,7 @@ Examples:
   hardpoint sweep models/sedan-axle.toml --axle --event envelope --over rack=-30:30:10 -o envelope.csv
   hardpoint sweep models/sedan-axle.toml --axle --event left --over right=-40:40:20
   hardpoint sweep models/sedan-axle.toml --axle --cases models/load-cases.csv
-  hardpoint sweep models/four-bar.toml --driver crank --from 0 --to 360 --step 10")]
+  hardpoint sweep models/four-bar.toml --driver crank_angle --from 0 --to 360 --step 10")]
 pub struct Sweep {
     /// The model or mechanism file.
     model: PathBuf,
@@ -96,7 +96,7 @@ pub struct Sweep {
     vertical: VerticalOptions,
     /// Go through the event at each of several values of what it holds, such as rack=-40:40:20: rack, travel,
     /// or right, the travel of the right wheel while the left one moves [default of an envelope:
-    /// rack from −40 mm to 40 mm in steps of 20 mm].
+    /// rack from −40 mm to 40 mm, or to the nearer limit, in four steps].
     #[arg(long, value_name = "NAME=A:B:S", allow_hyphen_values = true)]
     over: Option<Over>,
     /// First value [default: −130 mm of travel, −40 mm of the rack or its limit, −3°, −1000 N, −100 N·m].

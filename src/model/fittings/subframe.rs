@@ -25,6 +25,9 @@ pub(super) fn fit(
     let help =
         "name the joints that it carries instead of the chassis: `carries = [\"lca_pivot\"]`";
     let carries = section.required::<Vec<Spanned<String>>>("carries", help, report);
+    if let Some(carries) = carries.as_ref().filter(|carries| carries.get_ref().is_empty()) {
+        report.mistake(&carries.span(), "the subframe carries nothing", "no joint").help(help);
+    }
     let mounts = mounts(&mut section, parts, report);
     let body = ("subframe", "Subframe, on its mounts");
     let body = super::add_body(architecture, &section, body, true, report);

@@ -2,7 +2,8 @@
 
 use std::str::FromStr;
 
-use hardpoint::model::{Side, Units};
+use hardpoint::model::{Model, Side, Units};
+use hardpoint::programme::Ranges;
 use hardpoint::rig::{Event, SweepPlan};
 
 use crate::failure::Failure;
@@ -53,8 +54,9 @@ impl FromStr for Over {
 
 impl Over {
     /// The rack from side to side, for an envelope without a word about its second variable.
-    pub fn rack(units: Units) -> Self {
-        let [to, step] = [0.04, 0.02].map(|metres| units.length.from_metres(metres));
+    pub fn rack(model: &Model) -> Self {
+        let to = model.units.length.from_metres(Ranges::of(model).rack);
+        let step = 0.5 * to;
         Self { variable: Variable::Rack, from: -to, to, step }
     }
 
@@ -85,6 +87,25 @@ impl Over {
             _ => return Ok(()),
         };
         Err(Failure::Usage(wrong.into()))
+    }
+
+    /// Refuses the option that holds at one value what goes through several.
+    pub fn check_held(
+        &self,
+        rack: Option<&'static str>,
+        travel: Option<f64>,
+    ) -> Result<(), Failure> {
+        let held = match self.variable {
+            Variable::Rack => rack,
+            Variable::Travel => travel.map(|_| "--travel"),
+            Variable::Right => None,
+        };
+        let Some(option) = held else { return Ok(()) };
+        let word = self.word();
+        Err(Failure::Usage(format!(
+            "{option} holds the {word} at one value, and the event goes over several; leave out {option}, or \
+             write --over {word}=A:B:S with the values that you want"
+        )))
     }
 
     /// The plan at each of the values, with its name.

@@ -117,10 +117,11 @@ impl Sweep {
         plan: &SweepPlan,
         model: &Model,
     ) -> Result<Vec<(String, SweepPlan)>, Failure> {
-        let default = (event == EventName::Envelope).then(|| Over::rack(model.units));
+        let default = (event == EventName::Envelope).then(|| Over::rack(model));
         let Some(over) = self.over.or(default) else {
             return Ok(vec![(String::new(), *plan)]);
         };
+        over.check_held(self.steering.given(), self.travel)?;
         over.check(plan.event, self.axle, model.steers(), self.vertical.is_force())?;
         over.plans(plan, model.units)
     }
