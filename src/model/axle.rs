@@ -1,5 +1,6 @@
 //! Both sides of a vehicle in one mechanism.
 
+use super::architecture::{Across, point_across};
 use super::chassis::Rolling;
 use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
 use super::suspension::{StrutLine, Wheel, is_from_ground};
@@ -88,7 +89,10 @@ impl Model {
         let shared = self.add_shared_bodies(&mut mechanism, chassis)?;
         let left = Half::add(models[0], &shared, &mut mechanism)?;
         let right = Half::add(models[1], &shared, &mut mechanism)?;
-        let own = if self.side == Side::Left { &left } else { &right };
+        let [own, opposite] = match self.side {
+            Side::Left => [&left, &right],
+            Side::Right => [&right, &left],
+        };
         own.add_parts(&mut mechanism, setup.kinematic, true)?;
         let rack = own.add_rack_driver(&mut mechanism)?;
         let sides = [left.add_side(&mut mechanism, setup)?, right.add_side(&mut mechanism, setup)?];
@@ -97,6 +101,7 @@ impl Model {
         {
             self.couple_arms(&mut mechanism, on_left, on_right)?;
         }
+        own.add_parts_across(opposite, &mut mechanism)?;
         Ok(AxleSuspension { mechanism, sides, rack, rolling, drive: setup.drive })
     }
 
@@ -104,7 +109,7 @@ impl Model {
     pub fn axle_has_forces(&self) -> bool {
         let other = self.other.as_ref().is_some_and(|other| other.has_forces());
         let bar = self.anti_roll_bar().is_some_and(|bar| bar.stiffness > 0.0);
-        self.has_forces() || other || bar
+        self.has_forces() || !self.loads.axle_forces.is_empty() || other || bar
     }
 
     /// The numbers of the bodies that both sides have together, the chassis first; others are `None`.
@@ -267,6 +272,33 @@ impl<'a> Half<'a> {
             if once == shared {
                 self.add_force(mechanism, &name(&force.name), force)?;
             }
+        }
+        Ok(())
+    }
+
+    /// Adds the joints and forces between this side and the other one.
+    fn add_parts_across(
+        &self,
+        other: &Self,
+        mechanism: &mut Mechanism,
+    ) -> Result<(), MechanismError> {
+        let model = self.model;
+        let body = |id: BodyId| match model.architecture.body_across(id) {
+            Across::This(body) => self.body(body),
+            Across::Other(body) => other.body(body),
+        };
+        let point = |id: PointId, count: usize| match point_across(id, count) {
+            Across::This(point) => self.point(point),
+            Across::Other(point) => other.point(point),
+        };
+        let required = model.architecture.points.len();
+        for joint in &model.architecture.axle_joints {
+            let kind = joint.kind.on_points(|id| point(id, required));
+            mechanism.add_joint(&joint.name, body(joint.i), body(joint.j), kind)?;
+        }
+        for force in &model.loads.axle_forces {
+            let kind = force.kind.clone().on_points(|id| point(id, model.points.len()));
+            mechanism.add_force(&force.name, body(force.i), body(force.j), kind)?;
         }
         Ok(())
     }

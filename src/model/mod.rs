@@ -194,6 +194,11 @@ impl Model {
         Self { other: Some(Box::new(this)), ..(**other).clone() }
     }
 
+    /// Whether both sides are one mechanism, such as a beam axle: [`Model::suspension`] has no corner of it.
+    pub fn is_axle(&self) -> bool {
+        self.architecture.is_axle
+    }
+
     /// Whether the suspension has a rack.
     pub fn steers(&self) -> bool {
         self.architecture.rack.is_some()

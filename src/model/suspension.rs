@@ -107,6 +107,9 @@ impl Model {
     /// no meaning. A model straight from a file has been checked; one whose points were moved may fail.
     pub fn suspension(&self, setup: &Setup) -> Result<Suspension, SuspensionError> {
         let architecture = &self.architecture;
+        if architecture.is_axle {
+            return Err(SuspensionError::OnlyAxle(architecture.title.clone()));
+        }
         if let Chassis::Roll { .. } = setup.chassis {
             return Err(SuspensionError::CornerRolls);
         }

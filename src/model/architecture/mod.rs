@@ -1,9 +1,12 @@
 //! Suspension topologies as data: which points, bodies and joints a suspension has.
 
+mod across;
 mod check;
 mod read;
 
 use include_dir::{Dir, include_dir};
+
+pub(crate) use across::{Across, point_across};
 
 use super::diagnostics::{ModelDiagnostics, Report, SourceFile};
 use super::parts::joint_points;
@@ -26,6 +29,12 @@ pub struct Architecture {
     /// Moving bodies; `BodyId(1)` is the first of them.
     pub(crate) bodies: Vec<BodyRole>,
     pub(crate) joints: Vec<Joint>,
+    /// Whether both sides are one mechanism, such as a beam axle, so that there is no corner.
+    pub(crate) is_axle: bool,
+    /// Joints between the two sides, there once; what they name is told by [`Architecture::across`].
+    pub(crate) axle_joints: Vec<Joint>,
+    /// The joints that are bushings on real suspensions, by their places in `joints`.
+    pub(crate) bushed: Vec<usize>,
     /// Index of the joint along which steering moves the rack.
     pub(crate) rack: Option<usize>,
     pub(crate) wheel: WheelRole,
@@ -134,6 +143,21 @@ impl Architecture {
     /// The moving bodies.
     pub fn bodies(&self) -> &[BodyRole] {
         &self.bodies
+    }
+
+    /// Whether the two sides are one mechanism, such as a beam axle: there is no corner to look at alone.
+    pub fn is_axle(&self) -> bool {
+        self.is_axle
+    }
+
+    /// The joints of one side and those that both sides have together.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
+    /// The names of the joints that are bushings on real suspensions.
+    pub fn bushed_joints(&self) -> impl Iterator<Item = &str> {
+        self.bushed.iter().map(|joint| self.joints[*joint].name.as_str())
     }
 
     /// The body that never moves, such as `chassis`.

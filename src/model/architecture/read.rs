@@ -5,7 +5,9 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::{Architecture, BodyRole, PointRole, Seats, SteerAxis, WheelRole, check};
+use super::{
+    Architecture, BodyRole, PointRole, Seats, SteerAxis, WheelRole, check,
+};
 use crate::mechanism::{BodyId, Joint, JointKind, PointId};
 use crate::model::axes::Axes;
 use crate::model::diagnostics::Report;
@@ -39,6 +41,9 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
     let units = UnitsFile::absent();
     let parts = Parts { names: &names, units: &units, axes: Axes::Iso8855 };
     let read_joints = parts.joints(root, report);
+    let is_axle = root.optional::<bool>("axle", report);
+    let axle_joints = axle_joints(root, &names, report);
+    let bushed = bushed(root, &read_joints, report);
     let rack = rack(root, &read_joints, report);
     let wheel = wheel(root, &names, report);
     let steer_axis = steer_axis(root, &names, report);
@@ -48,6 +53,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
     if !report.mistakes.is_empty() {
         return None;
     }
+    let axle_spans: Vec<_> = axle_joints.iter().map(|(name, _)| name.span()).collect();
     let architecture = Architecture {
         title: title?.into_inner(),
         description: description.map(Spanned::into_inner),
@@ -56,6 +62,9 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
         optional_points: roles.optional_points,
         bodies: roles.bodies,
         joints: read_joints.into_iter().filter_map(|(_, j)| j).collect(),
+        is_axle: is_axle.is_some_and(Spanned::into_inner),
+        axle_joints: axle_joints.into_iter().filter_map(|(_, joint)| joint).collect(),
+        bushed,
         rack,
         wheel: wheel?,
         steer_axis: steer_axis.map(Spanned::into_inner),
@@ -65,6 +74,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
     let places = check::Places {
         points: &roles.point_spans,
         bodies: &roles.body_spans,
+        axle_joints: &axle_spans,
         steer_axis: axis_span.unwrap_or(0..0),
     };
     check::check(&architecture, &places, report);
@@ -131,6 +141,49 @@ impl Roles {
         let points = self.points.iter().map(|point| point.name.clone()).collect();
         Names::new(self.ground.clone(), bodies, points).with_unavailable(unavailable.collect())
     }
+}
+
+/// The joints of `[[axle_joints]]`, between the two sides.
+fn axle_joints(
+    root: &mut Section,
+    names: &Names,
+    report: &mut Report,
+) -> Vec<(Spanned<String>, Option<Joint>)> {
+    let names = names.across();
+    let units = UnitsFile::absent();
+    let parts = Parts { names: &names, units: &units, axes: Axes::Iso8855 };
+    parts.joints_of(root, "axle_joints", report)
+}
+
+/// The joints of `bushed`, by their places.
+fn bushed(
+    root: &mut Section,
+    joints: &[(Spanned<String>, Option<Joint>)],
+    report: &mut Report,
+) -> Vec<usize> {
+    let listed = root.optional::<Vec<Spanned<String>>>("bushed", report);
+    let listed = listed.map(Spanned::into_inner).unwrap_or_default();
+    listed.iter().filter_map(|name| joint_place(name, joints, report)).collect()
+}
+
+/// The place of the joint of this name.
+fn joint_place(
+    name: &Spanned<String>,
+    joints: &[(Spanned<String>, Option<Joint>)],
+    report: &mut Report,
+) -> Option<usize> {
+    if joints.is_empty() {
+        return None; // That the joints are missing has been noted.
+    }
+    let found = joints.iter().position(|(joint, _)| joint.get_ref() == name.get_ref());
+    if found.is_none() {
+        let known: Vec<&str> = joints.iter().map(|(j, _)| j.get_ref().as_str()).collect();
+        let message = format!("there is no joint `{}`", name.get_ref());
+        report
+            .mistake(&name.span(), message, "unknown joint")
+            .help(suggest::choices(name.get_ref(), &known));
+    }
+    found
 }
 
 const POINT_HELP: &str = "say what the point is: `meaning = \"…\"`";
@@ -274,17 +327,7 @@ fn rack(
     let name = section.required::<String>("joint", help, report);
     section.finish(report);
     let name = name?;
-    if joints.is_empty() {
-        return None; // That the joints are missing has been noted.
-    }
-    let Some(index) = joints.iter().position(|(joint, _)| joint.get_ref() == name.get_ref()) else {
-        let known: Vec<&str> = joints.iter().map(|(j, _)| j.get_ref().as_str()).collect();
-        let message = format!("there is no joint `{}`", name.get_ref());
-        report
-            .mistake(&name.span(), message, "unknown joint")
-            .help(suggest::choices(name.get_ref(), &known));
-        return None;
-    };
+    let index = joint_place(&name, joints, report)?;
     let joint = joints[index].1.as_ref()?;
     let along_y = matches!(joint.kind, JointKind::Translational { axis, .. } if axis == Y);
     if !along_y || joint.i != BodyId::GROUND {
