@@ -173,6 +173,7 @@ pub(super) fn difference([left, right]: [&Model; 2]) -> Option<String> {
         bodies.map(|body| (body.name.clone(), body.shared)).collect()
     };
     let same_joints = a.joints.len() == b.joints.len()
+        && a.axle_joints.len() == b.axle_joints.len()
         && a.joints
             .iter()
             .zip(&b.joints)
@@ -183,6 +184,18 @@ pub(super) fn difference([left, right]: [&Model; 2]) -> Option<String> {
         || !same_joints
     {
         return Some(format!("their architectures `{}` and `{}` differ", a.title, b.title));
+    }
+    for (side, here, there) in [(left.side, left, right), (right.side, right, left)] {
+        let forces = here.loads.axle_forces.iter();
+        let points = forces.filter_map(|force| force.kind.points()).flatten();
+        let others = points.filter_map(|point| match point_across(point, here.points.len()) {
+            Across::This(_) => None,
+            Across::Other(point) => Some(&here.points[point.0].name),
+        });
+        if let Some(name) = others.into_iter().find(|name| there.point(name).is_none()) {
+            let name = name.clone();
+            return Some(format!("only the {} one has the point `{name}`", side.name()));
+        }
     }
     let bars = [left, right].map(|model| model.anti_roll_bar().is_some());
     (bars[0] != bars[1]).then(|| "only one of them has an anti-roll bar".to_owned())
@@ -289,7 +302,12 @@ impl<'a> Half<'a> {
         };
         let point = |id: PointId, count: usize| match point_across(id, count) {
             Across::This(point) => self.point(point),
-            Across::Other(point) => other.point(point),
+            // The other side may have a file and points of its own.
+            Across::Other(point) => {
+                let name = &model.points[point.0].name;
+                let found = other.model.points.iter().position(|point| point.name == *name);
+                other.point(found.map_or(point, PointId))
+            }
         };
         let required = model.architecture.points.len();
         for joint in &model.architecture.axle_joints {

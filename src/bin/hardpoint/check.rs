@@ -11,7 +11,7 @@ use hardpoint::rig::{Axle, Corner, Pose, Stand};
 use hardpoint::solve::{StaticFailure, StaticReport};
 
 use crate::failure::Failure;
-use crate::load;
+use crate::{is_axle, load};
 use crate::output::{Output, SideName, axes_of_words};
 
 /// Check a model: mistakes in the file, degrees of freedom, redundant equations, free motions.
@@ -36,9 +36,11 @@ pub struct Check {
 
 impl Check {
     /// Runs the command.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(mut self) -> Result<(), Failure> {
+        let document = load(&self.model, self.side)?;
+        self.axle |= is_axle(&document);
         let rig = |error| Failure::Rig(self.model.display().to_string(), Box::new(error));
-        match load(&self.model, self.side)? {
+        match document {
             Document::Suspension(model) if self.axle => {
                 let mut axle = Axle::new(&model, &Setup::default()).map_err(rig)?;
                 warn_of_ratio(&model);

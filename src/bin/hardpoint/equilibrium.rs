@@ -10,7 +10,7 @@ use hardpoint::rig::{Axle, Corner, RigError, Stand};
 use hardpoint::solve::{StaticFailure, Stop};
 
 use crate::failure::Failure;
-use crate::load;
+use crate::{is_axle, load};
 use crate::loads::{RigOptions, length};
 use crate::output::{Output, Sheet, SideName, axes_of_words};
 use crate::steering::SteeringOptions;
@@ -63,10 +63,12 @@ pub struct Equilibrium {
 
 impl Equilibrium {
     /// Runs the command.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(mut self) -> Result<(), Failure> {
         // Refused before the work is done.
         let output = Output::beside(&self.model, self.output.as_deref())?;
-        match load(&self.model, self.side)? {
+        let document = load(&self.model, self.side)?;
+        self.axle |= is_axle(&document);
+        match document {
             Document::Suspension(model) => self.suspension(&model, &output),
             Document::Mechanism(model) => self.mechanism(&model, &output),
         }

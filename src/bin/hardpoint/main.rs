@@ -68,9 +68,20 @@ fn main() -> ExitCode {
     done.map_or_else(Failure::report, |()| ExitCode::SUCCESS)
 }
 
+/// Whether a document is a suspension whose sides are one mechanism: commands then show both.
+fn is_axle(document: &Document) -> bool {
+    matches!(document, Document::Suspension(model) if model.is_axle())
+}
+
 /// Loads a file and, where asked for, turns a suspension into the other side.
 fn load(path: &Path, side: Option<SideName>) -> Result<Document, Failure> {
     Ok(match (Document::load(path)?, side) {
+        (Document::Suspension(model), Some(_)) if model.is_axle() => {
+            let title = model.architecture.title();
+            return Err(Failure::Usage(format!(
+                "--side looks at one corner; the two sides of `{title}` are one mechanism"
+            )));
+        }
         (Document::Suspension(model), Some(side)) if Side::from(side) != model.side => {
             Document::Suspension(model.other_side())
         }
