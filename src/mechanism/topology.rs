@@ -162,6 +162,18 @@ impl JointKind {
         }
     }
 
+    /// The number of its equations.
+    pub fn equations(self) -> usize {
+        match self {
+            Self::Fixed { .. } => 6,
+            Self::Revolute { .. } | Self::Translational { .. } => 5,
+            Self::Universal { .. } | Self::Cylindrical { .. } => 4,
+            Self::Spherical { .. } => 3,
+            Self::InLine { .. } => 2,
+            Self::Link { .. } | Self::InPlane { .. } | Self::Perpendicular { .. } => 1,
+        }
+    }
+
     /// The points that the joint holds together.
     pub fn points(self) -> [PointId; 2] {
         match self {

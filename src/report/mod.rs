@@ -1,7 +1,9 @@
 //! Sweeps as text: a table for people, CSV and JSON for programs.
 
+mod catalogue;
 mod compliance;
 mod csv;
+mod drawing;
 mod factors;
 mod json;
 mod lotus;
@@ -10,7 +12,9 @@ mod settle;
 mod statics;
 mod table;
 
+pub use catalogue::{write_architecture, write_architectures, write_catalogue};
 pub use compliance::ComplianceReport;
+pub use drawing::drawing;
 pub use factors::{FactorSheet, write_definitions};
 pub use lotus::LotusReport;
 pub use programme::{ProgrammeSummary, StageResult};

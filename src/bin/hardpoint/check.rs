@@ -11,8 +11,8 @@ use hardpoint::rig::{Axle, Corner, Pose, Stand};
 use hardpoint::solve::{StaticFailure, StaticReport};
 
 use crate::failure::Failure;
-use crate::{is_axle, load};
 use crate::output::{Output, SideName, axes_of_words};
+use crate::{is_axle, load};
 
 /// Check a model: mistakes in the file, degrees of freedom, redundant equations, free motions.
 ///

@@ -10,10 +10,10 @@ use hardpoint::solve::Stop;
 use hardpoint::solve::compliance::ComplianceError;
 
 use crate::failure::Failure;
-use crate::{is_axle, load};
 use crate::loads::{RigOptions, length};
 use crate::output::{Format, Output, SideName, axes_of_words};
 use crate::steering::SteeringOptions;
+use crate::{is_axle, load};
 
 /// The compliance matrix: displacements and rotations of wheels per unit force and moment, 6×6 of a
 /// corner, 12×12 of an axle.

@@ -10,10 +10,10 @@ use hardpoint::rig::{Axle, Corner, RigError, Stand};
 use hardpoint::solve::{StaticFailure, Stop};
 
 use crate::failure::Failure;
-use crate::{is_axle, load};
 use crate::loads::{RigOptions, length};
 use crate::output::{Output, Sheet, SideName, axes_of_words};
 use crate::steering::SteeringOptions;
+use crate::{is_axle, load};
 
 /// Find the static equilibrium: pose, reactions of all joints, state of all springs and bushings.
 ///

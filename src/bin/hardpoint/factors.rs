@@ -9,10 +9,10 @@ use hardpoint::rig::{Axle, Corner, Pose, RigError};
 use hardpoint::solve::{FreeMotion, Stop};
 
 use crate::failure::Failure;
-use crate::{is_axle, load};
 use crate::loads::{RigOptions, length};
 use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
 use crate::steering::SteeringOptions;
+use crate::{is_axle, load};
 
 /// List all design factors of a corner or an axle at one state, or the definitions of all factors.
 ///

@@ -1,7 +1,9 @@
 //! The command line of hardpoint.
 
+mod architectures;
 mod check;
 mod compliance;
+mod draw;
 mod equilibrium;
 mod events;
 mod factors;
@@ -44,8 +46,10 @@ Exit codes:
 
 #[derive(Subcommand)]
 enum Command {
+    Architectures(architectures::Architectures),
     Check(check::Check),
     Compliance(compliance::Compliance),
+    Draw(draw::Draw),
     Equilibrium(equilibrium::Equilibrium),
     Factors(factors::Factors),
     Report(report::Report),
@@ -56,8 +60,10 @@ enum Command {
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
+        Command::Architectures(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Compliance(command) => command.run(),
+        Command::Draw(command) => command.run(),
         Command::Equilibrium(command) => command.run(),
         Command::Factors(command) => command.run(),
         Command::Report(command) => command.run(),

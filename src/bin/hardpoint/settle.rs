@@ -18,9 +18,9 @@ use hardpoint::solve::{StaticFailure, StaticReport};
 
 use crate::equilibrium::{refuse_fixed_chassis, released};
 use crate::failure::Failure;
-use crate::{is_axle, load};
 use crate::loads::RigOptions;
 use crate::output::{Output, Sheet, SideName, axes_of_words};
+use crate::{is_axle, load};
 
 /// More samples than this are a mistake in the interval.
 const MOST_SAMPLES: f64 = 1e6;

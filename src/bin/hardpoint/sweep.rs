@@ -17,11 +17,11 @@ use hardpoint::solve::Stop;
 
 use crate::events::{EventName, VerticalOptions, Wheels};
 use crate::failure::Failure;
-use crate::{is_axle, load};
 use crate::loads::RigOptions;
 use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
 use crate::progress::Progress;
 use crate::steering::{SteerBy, SteeringOptions};
+use crate::{is_axle, load};
 use over::Over;
 
 /// Move wheels, the rack, the body, a load or a driver through an event, or go through cases of a file,

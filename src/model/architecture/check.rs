@@ -36,7 +36,8 @@ fn sides_touch(architecture: &Architecture, places: &Places, report: &mut Report
     }
     for (joint, span) in architecture.axle_joints.iter().zip(places.axle_joints) {
         if !architecture.is_axle {
-            let message = format!("the joint `{}` makes one mechanism of the two sides", joint.name);
+            let message =
+                format!("the joint `{}` makes one mechanism of the two sides", joint.name);
             report.mistake(span, message, "between the sides").help(help);
         }
         if !architecture.joins_sides(joint.i, joint.j) {

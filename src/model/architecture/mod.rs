@@ -4,6 +4,8 @@ mod across;
 mod check;
 mod read;
 
+use std::path::Path;
+
 use include_dir::{Dir, include_dir};
 
 pub(crate) use across::{Across, point_across};
@@ -31,7 +33,8 @@ pub struct Architecture {
     pub(crate) joints: Vec<Joint>,
     /// Whether both sides are one mechanism, such as a beam axle, so that there is no corner.
     pub(crate) is_axle: bool,
-    /// Joints between the two sides, there once; what they name is told by [`Architecture::across`].
+    /// Joints between the two sides, there once; bodies and points of the other side have the
+    /// numbers behind those of this side.
     pub(crate) axle_joints: Vec<Joint>,
     /// The joints that are bushings on real suspensions, by their places in `joints`.
     pub(crate) bushed: Vec<usize>,
@@ -109,6 +112,15 @@ impl Architecture {
         Some(Self::parse(&format!("architectures/{name}.toml"), text))
     }
 
+    /// Reads an architecture file.
+    ///
+    /// # Errors
+    /// [`ModelDiagnostics`] where the file cannot be read, and with every mistake of it.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, ModelDiagnostics> {
+        let (name, text) = super::load::read_file(path.as_ref())?;
+        Self::parse(&name, &text)
+    }
+
     /// Reads an architecture from the text of a file; `name` is the file name that messages show.
     ///
     /// # Errors
@@ -153,6 +165,17 @@ impl Architecture {
     /// The joints of one side and those that both sides have together.
     pub fn joints(&self) -> &[Joint] {
         &self.joints
+    }
+
+    /// The joints between the two sides. Bodies and points of the other side have the numbers behind those of
+    /// this side.
+    pub fn axle_joints(&self) -> &[Joint] {
+        &self.axle_joints
+    }
+
+    /// The joint along which steering moves the rack.
+    pub fn rack(&self) -> Option<&Joint> {
+        self.rack.map(|joint| &self.joints[joint])
     }
 
     /// The names of the joints that are bushings on real suspensions.

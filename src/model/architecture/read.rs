@@ -5,9 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::{
-    Architecture, BodyRole, PointRole, Seats, SteerAxis, WheelRole, check,
-};
+use super::{Architecture, BodyRole, PointRole, Seats, SteerAxis, WheelRole, check};
 use crate::mechanism::{BodyId, Joint, JointKind, PointId};
 use crate::model::axes::Axes;
 use crate::model::diagnostics::Report;
