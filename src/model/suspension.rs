@@ -293,12 +293,12 @@ impl Model {
     }
 
     /// The body that carries the rack, the body that is driven along its slide, and the point of that: the
-    /// rack itself, or the end of a steering gear that gives way.
+    /// rack itself, the pitman arm, or the end of a steering gear that gives way.
     pub(super) fn rack(&self) -> Option<(BodyId, BodyId, PointId)> {
         let joint = &self.architecture.joints[self.architecture.rack?];
         match joint.kind {
             JointKind::Translational { at, .. } => Some((joint.i, joint.j, at)),
-            _ => None,
+            _ => Some((joint.i, joint.j, self.architecture.pitman_point?)),
         }
     }
 

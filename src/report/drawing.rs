@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::mechanism::{BodyId, ForceKind, Mechanism};
+use crate::mechanism::{BodyId, ForceKind, JointKind, Mechanism, PointId};
 use crate::model::{Model, Setup, Side, StrutLine, SuspensionError, Wheel, joint_points};
 use crate::vector::{add, cross, scale, unit};
 
@@ -18,7 +18,7 @@ const COLOURS: [&str; 10] = [
 
 /// The model at its design position as SVG: front, side and top view in one scale, with a list of its points.
 ///
-/// A body is a line, a triangle or a star between its joints, a wheel a circle, a spring or damper a
+/// A body is a line, a triangle or a star between its joints, a link without a body a dark line, a wheel a circle, a spring or damper a
 /// broken line; a square is a joint on the chassis.
 ///
 /// # Errors
@@ -94,7 +94,7 @@ impl Figure {
     }
 
     fn add_bodies(&mut self, model: &Model, mechanism: &Mechanism, wheels: &[Wheel]) {
-        let place = |point: crate::mechanism::PointId| mechanism.points()[point.0].position;
+        let place = |point: PointId| mechanism.points()[point.0].position;
         let names: Vec<&str> =
             model.architecture.bodies().iter().map(|b| b.name.as_str()).collect();
         for (index, body) in mechanism.bodies().iter().enumerate() {
@@ -120,6 +120,12 @@ impl Figure {
             }
             let style = format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"2.5\"");
             self.add_body(held.into_iter().map(place).collect(), &style);
+        }
+        for joint in mechanism.joints() {
+            if let JointKind::Link { on_i, on_j } = joint.kind {
+                let style = "fill=\"none\" stroke=\"#333333\" stroke-width=\"2.5\"".to_owned();
+                self.lines.push(Line { points: vec![place(on_i), place(on_j)], style });
+            }
         }
         for wheel in wheels {
             let (center, spin) = (place(wheel.center), wheel.spin_axis);

@@ -22,8 +22,7 @@ pub(super) fn check(architecture: &Architecture, places: &Places, report: &mut R
     sides_touch(architecture, places, report);
 }
 
-/// Parts that both sides have in common make an axle of them, and joints between the sides join two of their
-/// own bodies.
+/// Parts that both sides have in common make an axle of them, and so do joints that are there once.
 fn sides_touch(architecture: &Architecture, places: &Places, report: &mut Report) {
     let wheel = architecture.wheel.body;
     let help = "write `axle = true`, and there is no corner to look at alone";
@@ -40,23 +39,32 @@ fn sides_touch(architecture: &Architecture, places: &Places, report: &mut Report
                 format!("the joint `{}` makes one mechanism of the two sides", joint.name);
             report.mistake(span, message, "between the sides").help(help);
         }
-        if !architecture.joins_sides(joint.i, joint.j) {
-            let message = format!("the joint `{}` is not between the two sides", joint.name);
-            report.mistake(span, message, "on one side").help(
-                "name a body of this side and one of the other: `between = [\"arm\", \"other.arm\"]`; what \
-                 holds a body that both sides have together is one of [[joints]]",
-            );
+        if let Some((why, help)) = architecture.not_across(joint.i, joint.j) {
+            report.mistake(span, format!("the joint `{}` {why}", joint.name), "here").help(help);
         }
     }
 }
 
 impl Architecture {
-    /// Whether the first body is one of this side alone and the second one of the other side alone.
-    pub(crate) fn joins_sides(&self, i: BodyId, j: BodyId) -> bool {
-        match (self.body_across(i), self.body_across(j)) {
-            (Across::This(i), Across::Other(j)) => !self.is_shared(i) && !self.is_shared(j),
-            _ => false,
+    /// Why a part between two bodies is not one that an axle has once though its bodies are on both sides, and
+    /// what to do.
+    pub(crate) fn not_across(&self, i: BodyId, j: BodyId) -> Option<(String, &'static str)> {
+        let sides = [i, j].map(|body| self.body_across(body));
+        for side in sides {
+            if let Across::Other(body) = side
+                && self.is_shared(body)
+            {
+                let name = self.body_name(body);
+                let why = format!("names `other.{name}`, but both sides have `{name}` together");
+                return Some((why, "leave out `other.`"));
+            }
         }
+        let shared = sides.iter().all(|side| match side {
+            Across::This(body) => self.is_shared(*body),
+            Across::Other(_) => false,
+        });
+        let why = || "is between bodies that both sides have together".to_owned();
+        shared.then(|| (why(), "it is there once anyway: take it to the parts of one side"))
     }
 
     /// The joints between the sides with the numbers of one side.

@@ -38,8 +38,10 @@ pub struct Architecture {
     pub(crate) axle_joints: Vec<Joint>,
     /// The joints that are bushings on real suspensions, by their places in `joints`.
     pub(crate) bushed: Vec<usize>,
-    /// Index of the joint along which steering moves the rack.
+    /// Index of the joint along or about which steering moves the rack or the pitman arm.
     pub(crate) rack: Option<usize>,
+    /// The point of a pitman arm whose way along y is what steering prescribes.
+    pub(crate) pitman_point: Option<PointId>,
     pub(crate) wheel: WheelRole,
     pub(crate) steer_axis: Option<SteerAxis>,
     pub(crate) spring: Option<Seats>,
@@ -173,7 +175,7 @@ impl Architecture {
         &self.axle_joints
     }
 
-    /// The joint along which steering moves the rack.
+    /// The joint along or about which steering moves the rack or the pitman arm.
     pub fn rack(&self) -> Option<&Joint> {
         self.rack.map(|joint| &self.joints[joint])
     }

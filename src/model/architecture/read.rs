@@ -10,7 +10,7 @@ use crate::mechanism::{BodyId, Joint, JointKind, PointId};
 use crate::model::axes::Axes;
 use crate::model::diagnostics::Report;
 use crate::model::names::{Names, Unavailable};
-use crate::model::parts::{Parts, Y, check_name};
+use crate::model::parts::{Parts, Y, check_name, joint_points};
 use crate::model::read::{FromToml, Section, as_section};
 use crate::model::suggest;
 use crate::model::units_file::UnitsFile;
@@ -42,7 +42,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
     let is_axle = root.optional::<bool>("axle", report);
     let axle_joints = axle_joints(root, &names, report);
     let bushed = bushed(root, &read_joints, report);
-    let rack = rack(root, &read_joints, report);
+    let rack = rack(root, &names, &read_joints, report);
     let wheel = wheel(root, &names, report);
     let steer_axis = steer_axis(root, &names, report);
     let spring = seats(root, "spring", &roles, &names, report);
@@ -63,7 +63,8 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
         is_axle: is_axle.is_some_and(Spanned::into_inner),
         axle_joints: axle_joints.into_iter().filter_map(|(_, joint)| joint).collect(),
         bushed,
-        rack,
+        rack: rack.map(|(joint, _)| joint),
+        pitman_point: rack.and_then(|(_, point)| point),
         wheel: wheel?,
         steer_axis: steer_axis.map(Spanned::into_inner),
         spring,
@@ -314,26 +315,46 @@ fn seat(
     Some((point.into_inner(), body?))
 }
 
-/// The joint of the rack: the second body slides along y of the ground.
+/// The joint of the rack, whose second body slides along y of the ground, or that of a pitman arm with the
+/// point that it moves.
 fn rack(
     root: &mut Section,
+    names: &Names,
     joints: &[(Spanned<String>, Option<Joint>)],
     report: &mut Report,
-) -> Option<usize> {
+) -> Option<(usize, Option<PointId>)> {
     let help = "name the translational joint between the ground and the rack: `joint = \"…\"`";
     let mut section = root.optional_section("rack", help, report)?;
     let name = section.required::<String>("joint", help, report);
+    let point = section.optional::<String>("point", report);
     section.finish(report);
     let name = name?;
     let index = joint_place(&name, joints, report)?;
     let joint = joints[index].1.as_ref()?;
-    let along_y = matches!(joint.kind, JointKind::Translational { axis, .. } if axis == Y);
-    if !along_y || joint.i != BodyId::GROUND {
+    let moved = point.as_ref().and_then(|point| names.point(point, report));
+    let driven = match joint.kind {
+        JointKind::Translational { axis, .. } => axis == Y && point.is_none(),
+        JointKind::Revolute { .. } => point.is_some(),
+        _ => false,
+    };
+    if !driven || joint.i != BodyId::GROUND {
         let message = format!("the joint `{}` cannot be driven as a rack", name.get_ref());
         report
             .mistake(&name.span(), message, "the rack joint")
             .also(&joints[index].0.span(), "defined here")
-            .help("a rack joint is translational, between the ground and the rack in this order, with `axis = \"y\"`");
+            .help(
+                "a rack joint is translational, between the ground and the rack in this order, with `axis = \"y\"`; \
+                 that of a pitman arm is revolute, and `point` names the joint at the other end of the arm",
+            );
     }
-    Some(index)
+    if let (Some(point), Some(moved)) = (&point, moved) {
+        let all: Vec<Joint> = joints.iter().filter_map(|(_, joint)| joint.clone()).collect();
+        if !joint_points(&all, joint.j).contains(&moved) {
+            let message = format!("no joint holds the pitman arm at `{}`", point.get_ref());
+            report
+                .mistake(&point.span(), message, "not on the arm")
+                .help("name the joint between the pitman arm and the relay rod or drag link");
+        }
+    }
+    Some((index, moved))
 }

@@ -55,12 +55,10 @@ impl Geometry<'_> {
             }
         }
         for (span, force) in self.loads.axle_forces.iter().zip(&model.loads.axle_forces) {
-            if !architecture.joins_sides(force.i, force.j) {
-                let message = format!("the force `{}` is not between the two sides", force.name);
-                report.mistake(span, message, "on one side").help(
-                    "name a body of this side and one of the other: `between = [\"rocker\", \"other.rocker\"]`; \
-                     what acts on one side or on a body that both have together is one of [[forces]]",
-                );
+            if let Some((why, help)) = architecture.not_across(force.i, force.j) {
+                report
+                    .mistake(span, format!("the force `{}` {why}", force.name), "here")
+                    .help(help);
                 continue;
             }
             if let Err(error) = trial.add_force(&force.name, force.i, force.j, force.kind.clone()) {
