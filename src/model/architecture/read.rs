@@ -42,7 +42,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
     let is_axle = root.optional::<bool>("axle", report);
     let axle_joints = axle_joints(root, &names, report);
     let bushed = bushed(root, &read_joints, report);
-    let rack = rack(root, &names, &read_joints, report);
+    let rack = rack(root, &names, &read_joints, &axle_joints, report);
     let wheel = wheel(root, &names, report);
     let steer_axis = steer_axis(root, &names, report);
     let spring = seats(root, "spring", &roles, &names, report);
@@ -321,6 +321,7 @@ fn rack(
     root: &mut Section,
     names: &Names,
     joints: &[(Spanned<String>, Option<Joint>)],
+    axle_joints: &[(Spanned<String>, Option<Joint>)],
     report: &mut Report,
 ) -> Option<(usize, Option<PointId>)> {
     let help = "name the translational joint between the ground and the rack: `joint = \"…\"`";
@@ -348,7 +349,8 @@ fn rack(
             );
     }
     if let (Some(point), Some(moved)) = (&point, moved) {
-        let all: Vec<Joint> = joints.iter().filter_map(|(_, joint)| joint.clone()).collect();
+        let all: Vec<Joint> =
+            joints.iter().chain(axle_joints).filter_map(|(_, joint)| joint.clone()).collect();
         if !joint_points(&all, joint.j).contains(&moved) {
             let message = format!("no joint holds the pitman arm at `{}`", point.get_ref());
             report
