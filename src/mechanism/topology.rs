@@ -223,6 +223,23 @@ impl JointKind {
         }
     }
 
+    /// The number of its equations.
+    pub fn equations(self) -> usize {
+        match self {
+            Self::Fixed { .. } => 6,
+            Self::Revolute { .. } | Self::Translational { .. } => 5,
+            Self::Universal { .. } | Self::Cylindrical { .. } | Self::Hooke { .. } => 4,
+            Self::Spherical { .. } | Self::Orientation { .. } => 3,
+            Self::InLine { .. } | Self::ParallelAxes { .. } => 2,
+            Self::Link { .. }
+            | Self::InPlane { .. }
+            | Self::Perpendicular { .. }
+            | Self::PerpendicularAxes { .. }
+            | Self::RackAndPinion { .. }
+            | Self::Screw { .. } => 1,
+        }
+    }
+
     /// The points that the joint holds together.
     pub fn points(self) -> [PointId; 2] {
         match self {

@@ -55,6 +55,9 @@ pub(crate) struct Loads {
     pub(crate) tyre: Option<Tyre>,
     pub(crate) forces: Vec<Force>,
     pub(crate) bushings: Vec<JointBushing>,
+    /// Forces between the two sides of an axle; bodies and points of the other side have the numbers behind
+    /// those of this side.
+    pub(crate) axle_forces: Vec<Force>,
     pub(crate) anti_roll_bar: Option<AntiRollBar>,
 }
 

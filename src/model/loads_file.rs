@@ -22,6 +22,7 @@ pub(super) struct LoadsFile {
     tyre: Option<(Range<usize>, TyreFile)>,
     forces: Vec<(Range<usize>, Force)>,
     bushings: Vec<(Range<usize>, JointBushing)>,
+    axle_forces: Vec<(Range<usize>, Force)>,
     anti_roll_bar: Option<AntiRollBar>,
 }
 
@@ -31,6 +32,7 @@ pub(super) struct LoadPlaces {
     pub(super) tyre: Range<usize>,
     pub(super) forces: Vec<Range<usize>>,
     pub(super) bushings: Vec<Range<usize>>,
+    pub(super) axle_forces: Vec<Range<usize>>,
 }
 
 impl LoadsFile {
@@ -52,8 +54,9 @@ impl LoadsFile {
         let forces = forces.filter_map(|(name, force)| Some((name.span(), force?))).collect();
         let mut bushings = bushings(root, parts, joints, report);
         bushings.extend(fitted);
+        let axle_forces = axle_forces(root, parts, report);
         let anti_roll_bar = anti_roll_bar(root, parts, report);
-        Self { gravity, sprung_mass, masses, tyre, forces, bushings, anti_roll_bar }
+        Self { gravity, sprung_mass, masses, tyre, forces, bushings, axle_forces, anti_roll_bar }
     }
 
     /// The loads without their places. `radius` is that of the wheel (m).
@@ -75,6 +78,7 @@ impl LoadsFile {
             tyre,
             forces: self.forces.iter().map(|(_, force)| force.clone()).collect(),
             bushings: self.bushings.iter().map(|(_, bushing)| bushing.clone()).collect(),
+            axle_forces: self.axle_forces.iter().map(|(_, force)| force.clone()).collect(),
             anti_roll_bar: self.anti_roll_bar,
         }
     }
@@ -95,8 +99,22 @@ impl LoadsFile {
             tyre: self.tyre.as_ref().map_or(0..0, |(span, _)| span.clone()),
             forces: self.forces.iter().map(|(span, _)| span.clone()).collect(),
             bushings: self.bushings.iter().map(|(span, _)| span.clone()).collect(),
+            axle_forces: self.axle_forces.iter().map(|(span, _)| span.clone()).collect(),
         }
     }
+}
+
+/// The forces between the two sides. The points that they name are used on this side, too.
+fn axle_forces(
+    root: &mut Section,
+    parts: &Parts,
+    report: &mut Report,
+) -> Vec<(Range<usize>, Force)> {
+    let names = parts.names.across();
+    let across = Parts { names: &names, units: parts.units, axes: parts.axes, own_numbers: true };
+    let forces = across.axle_forces(root, report);
+    parts.names.use_points_of(&names);
+    forces.into_iter().filter_map(|(name, force)| Some((name.span(), force?))).collect()
 }
 
 fn quarter_car(

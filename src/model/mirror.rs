@@ -18,7 +18,8 @@ impl Model {
         for mass in other.loads.masses.iter_mut().flatten() {
             *mass = mirrored_mass(mass);
         }
-        for joint in &mut other.architecture.joints {
+        let architecture = &mut other.architecture;
+        for joint in architecture.joints.iter_mut().chain(&mut architecture.axle_joints) {
             joint.kind = joint.kind.on_lines(mirrored_line);
         }
         for adjuster in &mut other.adjusters {
@@ -27,7 +28,8 @@ impl Model {
             }
         }
         let bushings = other.loads.bushings.iter_mut().map(|bushing| &mut bushing.force);
-        for force in other.loads.forces.iter_mut().chain(bushings) {
+        let forces = other.loads.forces.iter_mut().chain(&mut other.loads.axle_forces);
+        for force in forces.chain(bushings) {
             force.mirror();
         }
         other

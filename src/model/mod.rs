@@ -52,6 +52,8 @@ pub use suspension::{StrutLine, Suspension, Wheel};
 pub use units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, Units};
 pub use vehicle::{Axle, Brakes, Vehicle};
 
+pub(crate) use parts::joint_points;
+
 use crate::mechanism::{Force, MassProperties};
 use crate::vector::{add, scale, sub, unit};
 use loads::Loads;
@@ -197,6 +199,11 @@ impl Model {
         let Some(other) = &self.other else { return self.mirrored() };
         let this = Self { other: None, ..self.clone() };
         Self { other: Some(Box::new(this)), ..(**other).clone() }
+    }
+
+    /// Whether both sides are one mechanism, such as a beam axle: [`Model::suspension`] has no corner of it.
+    pub fn is_axle(&self) -> bool {
+        self.architecture.is_axle
     }
 
     /// Whether the suspension has a rack.

@@ -36,6 +36,27 @@ impl Names {
         self
     }
 
+    /// The names of parts between the two sides of an axle: `other.lca` is that of the other side, and
+    /// those of the other side come after all of this side.
+    pub(crate) fn across(&self) -> Self {
+        let both = |names: Vec<&str>| {
+            let other = names.iter().map(|name| format!("other.{name}"));
+            let this = names.iter().map(|name| (*name).to_owned());
+            this.chain(other).collect()
+        };
+        let bodies = both(self.bodies.iter().map(String::as_str).collect());
+        Self::new(self.ground.clone(), bodies, both(self.points().collect()))
+    }
+
+    /// Notes the points that have been asked for, on either side, by their names [across](Self::across).
+    pub(crate) fn use_points_of(&self, across: &Self) {
+        for (index, (_, used)) in across.points.iter().enumerate() {
+            if used.get() {
+                self.points[index % self.points.len()].1.set(true);
+            }
+        }
+    }
+
     /// Exchanges the moving bodies.
     pub(crate) fn set_bodies(&mut self, bodies: Vec<String>) {
         self.bodies = bodies;

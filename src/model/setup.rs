@@ -94,6 +94,11 @@ pub enum SuspensionError {
     /// [`Chassis::Slide`] of an axle.
     #[error("the chassis of an axle does not slide; fix it, or look at one side alone")]
     AxleSlides,
+    /// A corner of an architecture that has none.
+    #[error(
+        "the two sides of `{0}` are one mechanism, so there is no corner of it; put both sides on the rig"
+    )]
+    OnlyAxle(String),
     /// [`Chassis::Roll`] of a corner.
     #[error("the chassis of one side alone does not roll; put both sides on the rig")]
     CornerRolls,

@@ -110,6 +110,9 @@ impl Model {
     /// no meaning. A model straight from a file has been checked; one whose points were moved may fail.
     pub fn suspension(&self, setup: &Setup) -> Result<Suspension, SuspensionError> {
         let architecture = &self.architecture;
+        if architecture.is_axle {
+            return Err(SuspensionError::OnlyAxle(architecture.title.clone()));
+        }
         if let Chassis::Roll { .. } = setup.chassis {
             return Err(SuspensionError::CornerRolls);
         }
@@ -307,12 +310,12 @@ impl Model {
     }
 
     /// The body that carries the rack, the body that is driven along its slide, and the point of that: the
-    /// rack itself, or the end of a steering gear that gives way.
+    /// rack itself, the pitman arm, or the end of a steering gear that gives way.
     pub(super) fn rack(&self) -> Option<(BodyId, BodyId, PointId)> {
         let joint = &self.architecture.joints[self.architecture.rack?];
         match joint.kind {
             JointKind::Translational { at, .. } => Some((joint.i, joint.j, at)),
-            _ => None,
+            _ => Some((joint.i, joint.j, self.architecture.pitman_point?)),
         }
     }
 

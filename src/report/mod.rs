@@ -1,8 +1,10 @@
 //! Sweeps as text: a table for people, CSV and JSON for programs.
 
 mod adjustments;
+mod catalogue;
 mod compliance;
 mod csv;
+mod drawing;
 mod factors;
 mod json;
 mod lotus;
@@ -12,7 +14,9 @@ mod statics;
 mod table;
 
 pub use adjustments::write_adjustments;
+pub use catalogue::{write_architecture, write_architectures, write_catalogue};
 pub use compliance::ComplianceReport;
+pub use drawing::drawing;
 pub use factors::{FactorSheet, write_definitions};
 pub use lotus::LotusReport;
 pub use programme::{ProgrammeSummary, StageResult};

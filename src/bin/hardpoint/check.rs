@@ -15,10 +15,10 @@ use hardpoint::rig::{Adjustment, Axle, Corner, Pose, RigError, Stand};
 use hardpoint::solve::{StaticFailure, StaticReport};
 
 use crate::failure::Failure;
-use crate::load;
 use crate::loads::FARTHEST;
 use crate::output::{Output, SideName, axes_of_words};
 use crate::settings::Settings;
+use crate::{is_axle, load};
 
 /// Check a model: mistakes in the file, degrees of freedom, redundant equations, free motions.
 ///
@@ -50,9 +50,11 @@ pub struct Check {
 
 impl Check {
     /// Runs the command.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(mut self) -> Result<(), Failure> {
+        let document = load(&self.model, self.side)?;
+        self.axle |= is_axle(&document);
         let rig = |error| Failure::Rig(self.model.display().to_string(), Box::new(error));
-        let document = match load(&self.model, self.side)? {
+        let document = match document {
             Document::Suspension(model) => Document::Suspension(self.settings.apply(model)?),
             mechanism => mechanism,
         };

@@ -10,10 +10,10 @@ use hardpoint::solve::Stop;
 use hardpoint::solve::compliance::ComplianceError;
 
 use crate::failure::Failure;
-use crate::load;
 use crate::loads::{RigOptions, length};
 use crate::output::{Format, Output, SideName, axes_of_words};
 use crate::steering::SteeringOptions;
+use crate::{is_axle, load};
 
 /// The compliance matrix: displacements and rotations of wheels per unit force and moment, 6×6 of a
 /// corner, 12×12 of an axle.
@@ -57,11 +57,13 @@ pub struct Compliance {
 
 impl Compliance {
     /// Runs the command.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(mut self) -> Result<(), Failure> {
         // Refused before the work is done.
         let output = Output::beside(&self.model, self.output.as_deref())?;
         let usage = |message: &str| Err(Failure::Usage(message.to_owned()));
-        let Document::Suspension(model) = load(&self.model, self.side)? else {
+        let document = load(&self.model, self.side)?;
+        self.axle |= is_axle(&document);
+        let Document::Suspension(model) = document else {
             return usage("a compliance belongs to wheels; this file is a mechanism");
         };
         let model = self.rig.set(model)?;

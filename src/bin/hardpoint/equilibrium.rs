@@ -10,10 +10,10 @@ use hardpoint::rig::{Axle, Corner, RigError, Stand};
 use hardpoint::solve::{StaticFailure, Stop};
 
 use crate::failure::Failure;
-use crate::load;
 use crate::loads::{RigOptions, length};
 use crate::output::{Output, Sheet, SideName, axes_of_words};
 use crate::steering::SteeringOptions;
+use crate::{is_axle, load};
 
 /// Find the static equilibrium: pose, reactions of all joints, state of all springs and bushings.
 ///
@@ -63,10 +63,12 @@ pub struct Equilibrium {
 
 impl Equilibrium {
     /// Runs the command.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(mut self) -> Result<(), Failure> {
         // Refused before the work is done.
         let output = Output::beside(&self.model, self.output.as_deref())?;
-        match load(&self.model, self.side)? {
+        let document = load(&self.model, self.side)?;
+        self.axle |= is_axle(&document);
+        match document {
             Document::Suspension(model) => self.suspension(&self.rig.set(model)?, &output),
             Document::Mechanism(model) => self.mechanism(&model, &output),
         }

@@ -9,10 +9,10 @@ use hardpoint::rig::{Adjustment, Axle, Corner, Pose, RigError};
 use hardpoint::solve::{FreeMotion, Stop};
 
 use crate::failure::Failure;
-use crate::load;
 use crate::loads::{RigOptions, length};
 use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
 use crate::steering::SteeringOptions;
+use crate::{is_axle, load};
 
 /// List all design factors of a corner or an axle at one state, or the definitions of all factors.
 ///
@@ -68,16 +68,17 @@ type State = (Vec<Pose<f64>>, Vec<Adjustment>);
 
 impl Factors {
     /// Runs the command.
-    pub fn run(&self) -> Result<(), Failure> {
-        let Some(path) = &self.model else {
+    pub fn run(mut self) -> Result<(), Failure> {
+        let Some(path) = self.model.clone() else {
             let output = self.output.clone().map_or(Output::Stdout, Output::File);
             return output.write(|writer| write_definitions(writer));
         };
-        let document = load(path, self.side)?;
+        let document = load(&path, self.side)?;
+        self.axle |= is_axle(&document);
         // Refused before the work is done.
-        let output = Output::beside(path, self.output.as_deref())?;
+        let output = Output::beside(&path, self.output.as_deref())?;
         match document {
-            Document::Suspension(model) => self.suspension(&self.rig.set(model)?, path, &output),
+            Document::Suspension(model) => self.suspension(&self.rig.set(model)?, &path, &output),
             Document::Mechanism(_) => Err(Failure::Usage(
                 "factors belong to suspensions; this file is a mechanism".into(),
             )),

@@ -1,7 +1,9 @@
 //! The command line of hardpoint.
 
+mod architectures;
 mod check;
 mod compliance;
+mod draw;
 mod equilibrium;
 mod events;
 mod export;
@@ -47,8 +49,10 @@ Exit codes:
 
 #[derive(Subcommand)]
 enum Command {
+    Architectures(architectures::Architectures),
     Check(check::Check),
     Compliance(compliance::Compliance),
+    Draw(draw::Draw),
     Equilibrium(equilibrium::Equilibrium),
     Export(export::Export),
     Factors(factors::Factors),
@@ -61,8 +65,10 @@ enum Command {
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
+        Command::Architectures(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Compliance(command) => command.run(),
+        Command::Draw(command) => command.run(),
         Command::Equilibrium(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Factors(command) => command.run(),
@@ -75,9 +81,20 @@ fn main() -> ExitCode {
     done.map_or_else(Failure::report, |()| ExitCode::SUCCESS)
 }
 
+/// Whether a document is a suspension whose sides are one mechanism: commands then show both.
+fn is_axle(document: &Document) -> bool {
+    matches!(document, Document::Suspension(model) if model.is_axle())
+}
+
 /// Loads a file and, where asked for, turns a suspension into the other side.
 fn load(path: &Path, side: Option<SideName>) -> Result<Document, Failure> {
     Ok(match (Document::load(path)?, side) {
+        (Document::Suspension(model), Some(_)) if model.is_axle() => {
+            let title = model.architecture.title();
+            return Err(Failure::Usage(format!(
+                "--side looks at one corner; the two sides of `{title}` are one mechanism"
+            )));
+        }
         (Document::Suspension(model), Some(side)) if Side::from(side) != model.side => {
             Document::Suspension(model.other_side())
         }

@@ -18,9 +18,9 @@ use hardpoint::solve::{StaticFailure, StaticReport};
 
 use crate::equilibrium::{refuse_fixed_chassis, released};
 use crate::failure::Failure;
-use crate::load;
 use crate::loads::RigOptions;
 use crate::output::{Output, Sheet, SideName, axes_of_words};
+use crate::{is_axle, load};
 
 /// More samples than this are a mistake in the interval.
 const MOST_SAMPLES: f64 = 1e6;
@@ -113,7 +113,7 @@ struct Specimen<'a> {
 
 impl Settle {
     /// Runs the command.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(mut self) -> Result<(), Failure> {
         let samples = self.seconds / self.interval;
         if !(samples.is_finite() && samples > 0.0 && self.interval > 0.0) {
             return Err(Failure::Usage("--seconds and --interval have to be above zero".into()));
@@ -126,7 +126,9 @@ impl Settle {
         }
         // Refused before the work is done.
         let output = Output::beside(&self.model, self.output.as_deref())?;
-        match load(&self.model, self.side)? {
+        let document = load(&self.model, self.side)?;
+        self.axle |= is_axle(&document);
+        match document {
             Document::Suspension(model) => self.suspension(&self.rig.set(model)?, &output),
             Document::Mechanism(model) => self.mechanism(&model, &output),
         }

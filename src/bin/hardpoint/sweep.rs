@@ -17,11 +17,11 @@ use hardpoint::solve::Stop;
 
 use crate::events::{EventName, VerticalOptions, Wheels};
 use crate::failure::Failure;
-use crate::load;
 use crate::loads::RigOptions;
 use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
 use crate::progress::Progress;
 use crate::steering::{SteerBy, SteeringOptions};
+use crate::{is_axle, load};
 use over::Over;
 
 /// Move wheels, the rack, the body, a load or a driver through an event, or go through cases of a file,
@@ -148,8 +148,9 @@ fn usage<T>(message: impl Into<String>) -> Result<T, Failure> {
 
 impl Sweep {
     /// Runs the command.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(mut self) -> Result<(), Failure> {
         let document = load(&self.model, self.side)?;
+        self.axle |= is_axle(&document);
         // Refused before the work is done.
         let output = Output::beside(&self.model, self.output.as_deref())?;
         match document {

@@ -2,14 +2,15 @@
 
 use std::ops::Range;
 
-use super::Architecture;
-use crate::mechanism::{BodyId, Direction, PointId};
+use super::{Across, Architecture, point_across};
+use crate::mechanism::{BodyId, Direction, Joint, PointId};
 use crate::model::diagnostics::Report;
 
 /// Where the text names points, bodies and the steer axis.
 pub(super) struct Places<'a> {
     pub(super) points: &'a [Range<usize>],
     pub(super) bodies: &'a [Range<usize>],
+    pub(super) axle_joints: &'a [Range<usize>],
     pub(super) steer_axis: Range<usize>,
 }
 
@@ -18,6 +19,66 @@ pub(super) fn check(architecture: &Architecture, places: &Places, report: &mut R
     points_are_used(architecture, places.points, report);
     steer_axis_is_held(architecture, &places.steer_axis, report);
     rack_is_shared(architecture, places.bodies, report);
+    sides_touch(architecture, places, report);
+}
+
+/// Parts that both sides have in common make an axle of them, and so do joints that are there once.
+fn sides_touch(architecture: &Architecture, places: &Places, report: &mut Report) {
+    let wheel = architecture.wheel.body;
+    let help = "write `axle = true`, and there is no corner to look at alone";
+    if !architecture.is_axle && architecture.is_shared(wheel) {
+        let message = format!(
+            "both wheels are on the body `{}`, so the two sides are one mechanism",
+            architecture.body_name(wheel)
+        );
+        report.mistake(&places.bodies[wheel.0 - 1], message, "carries both wheels").help(help);
+    }
+    for (joint, span) in architecture.axle_joints.iter().zip(places.axle_joints) {
+        if !architecture.is_axle {
+            let message =
+                format!("the joint `{}` makes one mechanism of the two sides", joint.name);
+            report.mistake(span, message, "between the sides").help(help);
+        }
+        if let Some((why, help)) = architecture.not_across(joint.i, joint.j) {
+            report.mistake(span, format!("the joint `{}` {why}", joint.name), "here").help(help);
+        }
+    }
+}
+
+impl Architecture {
+    /// Why a part between two bodies is not one that an axle has once though its bodies are on both sides, and
+    /// what to do.
+    pub(crate) fn not_across(&self, i: BodyId, j: BodyId) -> Option<(String, &'static str)> {
+        let sides = [i, j].map(|body| self.body_across(body));
+        for side in sides {
+            if let Across::Other(body) = side
+                && self.is_shared(body)
+            {
+                let name = self.body_name(body);
+                let why = format!("names `other.{name}`, but both sides have `{name}` together");
+                return Some((why, "leave out `other.`"));
+            }
+        }
+        let shared = sides.iter().all(|side| match side {
+            Across::This(body) => self.is_shared(*body),
+            Across::Other(_) => false,
+        });
+        let why = || "is between bodies that both sides have together".to_owned();
+        shared.then(|| (why(), "it is there once anyway: take it to the parts of one side"))
+    }
+
+    /// The joints between the sides with the numbers of one side.
+    fn axle_joints_folded(&self) -> impl Iterator<Item = Joint> {
+        let fold = |point| match point_across(point, self.points.len()) {
+            Across::This(point) | Across::Other(point) => point,
+        };
+        self.axle_joints.iter().map(move |joint| {
+            let [i, j] = [joint.i, joint.j].map(|body| match self.body_across(body) {
+                Across::This(body) | Across::Other(body) => body,
+            });
+            Joint { name: joint.name.clone(), i, j, kind: joint.kind.on_points(fold) }
+        })
+    }
 }
 
 /// Every body must be joined to the ground, directly or through other bodies.
@@ -30,7 +91,7 @@ fn bodies_hang_on_the_ground(
     reached[BodyId::GROUND.0] = true;
     // Each pass reaches at least one body more, or none is left to reach.
     for _ in 0..reached.len() {
-        for joint in &architecture.joints {
+        for joint in architecture.joints.iter().cloned().chain(architecture.axle_joints_folded()) {
             let either = reached[joint.i.0] || reached[joint.j.0];
             reached[joint.i.0] = either;
             reached[joint.j.0] = either;
@@ -77,7 +138,7 @@ fn points_are_used(architecture: &Architecture, spans: &[Range<usize>], report: 
         mark(axis.lower.0);
         mark(axis.upper.0);
     }
-    for joint in &architecture.joints {
+    for joint in architecture.joints.iter().cloned().chain(architecture.axle_joints_folded()) {
         joint.kind.points().into_iter().for_each(&mut mark);
         for direction in joint.kind.directions() {
             if let Direction::Between(from, to) = direction {

@@ -1,9 +1,14 @@
 //! Suspension topologies as data: which points, bodies and joints a suspension has.
 
+mod across;
 mod check;
 mod read;
 
+use std::path::Path;
+
 use include_dir::{Dir, include_dir};
+
+pub(crate) use across::{Across, point_across};
 
 use super::diagnostics::{ModelDiagnostics, Report, SourceFile};
 use super::parts::joint_points;
@@ -26,8 +31,17 @@ pub struct Architecture {
     /// Moving bodies; `BodyId(1)` is the first of them.
     pub(crate) bodies: Vec<BodyRole>,
     pub(crate) joints: Vec<Joint>,
-    /// Index of the joint along which steering moves the rack.
+    /// Whether both sides are one mechanism, such as a beam axle, so that there is no corner.
+    pub(crate) is_axle: bool,
+    /// Joints between the two sides, there once; bodies and points of the other side have the
+    /// numbers behind those of this side.
+    pub(crate) axle_joints: Vec<Joint>,
+    /// The joints that are bushings on real suspensions, by their places in `joints`.
+    pub(crate) bushed: Vec<usize>,
+    /// Index of the joint along or about which steering moves the rack or the pitman arm.
     pub(crate) rack: Option<usize>,
+    /// The point of a pitman arm whose way along y is what steering prescribes.
+    pub(crate) pitman_point: Option<PointId>,
     pub(crate) wheel: WheelRole,
     pub(crate) steer_axis: Option<SteerAxis>,
     pub(crate) spring: Option<Seats>,
@@ -100,6 +114,15 @@ impl Architecture {
         Some(Self::parse(&format!("architectures/{name}.toml"), text))
     }
 
+    /// Reads an architecture file.
+    ///
+    /// # Errors
+    /// [`ModelDiagnostics`] where the file cannot be read, and with every mistake of it.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, ModelDiagnostics> {
+        let (name, text) = super::load::read_file(path.as_ref())?;
+        Self::parse(&name, &text)
+    }
+
     /// Reads an architecture from the text of a file; `name` is the file name that messages show.
     ///
     /// # Errors
@@ -134,6 +157,32 @@ impl Architecture {
     /// The moving bodies.
     pub fn bodies(&self) -> &[BodyRole] {
         &self.bodies
+    }
+
+    /// Whether the two sides are one mechanism, such as a beam axle: there is no corner to look at alone.
+    pub fn is_axle(&self) -> bool {
+        self.is_axle
+    }
+
+    /// The joints of one side and those that both sides have together.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
+    /// The joints between the two sides. Bodies and points of the other side have the numbers behind those of
+    /// this side.
+    pub fn axle_joints(&self) -> &[Joint] {
+        &self.axle_joints
+    }
+
+    /// The joint along or about which steering moves the rack or the pitman arm.
+    pub fn rack(&self) -> Option<&Joint> {
+        self.rack.map(|joint| &self.joints[joint])
+    }
+
+    /// The names of the joints that are bushings on real suspensions.
+    pub fn bushed_joints(&self) -> impl Iterator<Item = &str> {
+        self.bushed.iter().map(|joint| self.joints[*joint].name.as_str())
     }
 
     /// The body that never moves, such as `chassis`.

@@ -10,7 +10,7 @@ use crate::mechanism::{BodyId, Joint, JointKind, PointId};
 use crate::model::axes::Axes;
 use crate::model::diagnostics::Report;
 use crate::model::names::{Names, Unavailable};
-use crate::model::parts::{Parts, Y, check_name};
+use crate::model::parts::{Parts, Y, check_name, joint_points};
 use crate::model::read::{FromToml, Section, as_section};
 use crate::model::suggest;
 use crate::model::units_file::UnitsFile;
@@ -39,7 +39,10 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
     let units = UnitsFile::absent();
     let parts = Parts { names: &names, units: &units, axes: Axes::Iso8855, own_numbers: false };
     let read_joints = parts.joints(root, report);
-    let rack = rack(root, &read_joints, report);
+    let is_axle = root.optional::<bool>("axle", report);
+    let axle_joints = axle_joints(root, &names, report);
+    let bushed = bushed(root, &read_joints, report);
+    let rack = rack(root, &names, &read_joints, &axle_joints, report);
     let wheel = wheel(root, &names, report);
     let steer_axis = steer_axis(root, &names, report);
     let spring = seats(root, "spring", &roles, &names, report);
@@ -48,6 +51,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
     if !report.mistakes.is_empty() {
         return None;
     }
+    let axle_spans: Vec<_> = axle_joints.iter().map(|(name, _)| name.span()).collect();
     let architecture = Architecture {
         title: title?.into_inner(),
         description: description.map(Spanned::into_inner),
@@ -56,7 +60,11 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
         optional_points: roles.optional_points,
         bodies: roles.bodies,
         joints: read_joints.into_iter().filter_map(|(_, j)| j).collect(),
-        rack,
+        is_axle: is_axle.is_some_and(Spanned::into_inner),
+        axle_joints: axle_joints.into_iter().filter_map(|(_, joint)| joint).collect(),
+        bushed,
+        rack: rack.map(|(joint, _)| joint),
+        pitman_point: rack.and_then(|(_, point)| point),
         wheel: wheel?,
         steer_axis: steer_axis.map(Spanned::into_inner),
         spring,
@@ -65,6 +73,7 @@ pub(super) fn read(root: &mut Section, report: &mut Report) -> Option<Architectu
     let places = check::Places {
         points: &roles.point_spans,
         bodies: &roles.body_spans,
+        axle_joints: &axle_spans,
         steer_axis: axis_span.unwrap_or(0..0),
     };
     check::check(&architecture, &places, report);
@@ -131,6 +140,49 @@ impl Roles {
         let points = self.points.iter().map(|point| point.name.clone()).collect();
         Names::new(self.ground.clone(), bodies, points).with_unavailable(unavailable.collect())
     }
+}
+
+/// The joints of `[[axle_joints]]`, between the two sides.
+fn axle_joints(
+    root: &mut Section,
+    names: &Names,
+    report: &mut Report,
+) -> Vec<(Spanned<String>, Option<Joint>)> {
+    let names = names.across();
+    let units = UnitsFile::absent();
+    let parts = Parts { names: &names, units: &units, axes: Axes::Iso8855, own_numbers: false };
+    parts.joints_of(root, "axle_joints", report)
+}
+
+/// The joints of `bushed`, by their places.
+fn bushed(
+    root: &mut Section,
+    joints: &[(Spanned<String>, Option<Joint>)],
+    report: &mut Report,
+) -> Vec<usize> {
+    let listed = root.optional::<Vec<Spanned<String>>>("bushed", report);
+    let listed = listed.map(Spanned::into_inner).unwrap_or_default();
+    listed.iter().filter_map(|name| joint_place(name, joints, report)).collect()
+}
+
+/// The place of the joint of this name.
+fn joint_place(
+    name: &Spanned<String>,
+    joints: &[(Spanned<String>, Option<Joint>)],
+    report: &mut Report,
+) -> Option<usize> {
+    if joints.is_empty() {
+        return None; // That the joints are missing has been noted.
+    }
+    let found = joints.iter().position(|(joint, _)| joint.get_ref() == name.get_ref());
+    if found.is_none() {
+        let known: Vec<&str> = joints.iter().map(|(j, _)| j.get_ref().as_str()).collect();
+        let message = format!("there is no joint `{}`", name.get_ref());
+        report
+            .mistake(&name.span(), message, "unknown joint")
+            .help(suggest::choices(name.get_ref(), &known));
+    }
+    found
 }
 
 const POINT_HELP: &str = "say what the point is: `meaning = \"…\"`";
@@ -263,36 +315,48 @@ fn seat(
     Some((point.into_inner(), body?))
 }
 
-/// The joint of the rack: the second body slides along y of the ground.
+/// The joint of the rack, whose second body slides along y of the ground, or that of a pitman arm with the
+/// point that it moves.
 fn rack(
     root: &mut Section,
+    names: &Names,
     joints: &[(Spanned<String>, Option<Joint>)],
+    axle_joints: &[(Spanned<String>, Option<Joint>)],
     report: &mut Report,
-) -> Option<usize> {
+) -> Option<(usize, Option<PointId>)> {
     let help = "name the translational joint between the ground and the rack: `joint = \"…\"`";
     let mut section = root.optional_section("rack", help, report)?;
     let name = section.required::<String>("joint", help, report);
+    let point = section.optional::<String>("point", report);
     section.finish(report);
     let name = name?;
-    if joints.is_empty() {
-        return None; // That the joints are missing has been noted.
-    }
-    let Some(index) = joints.iter().position(|(joint, _)| joint.get_ref() == name.get_ref()) else {
-        let known: Vec<&str> = joints.iter().map(|(j, _)| j.get_ref().as_str()).collect();
-        let message = format!("there is no joint `{}`", name.get_ref());
-        report
-            .mistake(&name.span(), message, "unknown joint")
-            .help(suggest::choices(name.get_ref(), &known));
-        return None;
-    };
+    let index = joint_place(&name, joints, report)?;
     let joint = joints[index].1.as_ref()?;
-    let along_y = matches!(joint.kind, JointKind::Translational { axis, .. } if axis == Y);
-    if !along_y || joint.i != BodyId::GROUND {
+    let moved = point.as_ref().and_then(|point| names.point(point, report));
+    let driven = match joint.kind {
+        JointKind::Translational { axis, .. } => axis == Y && point.is_none(),
+        JointKind::Revolute { .. } => point.is_some(),
+        _ => false,
+    };
+    if !driven || joint.i != BodyId::GROUND {
         let message = format!("the joint `{}` cannot be driven as a rack", name.get_ref());
         report
             .mistake(&name.span(), message, "the rack joint")
             .also(&joints[index].0.span(), "defined here")
-            .help("a rack joint is translational, between the ground and the rack in this order, with `axis = \"y\"`");
+            .help(
+                "a rack joint is translational, between the ground and the rack in this order, with `axis = \"y\"`; \
+                 that of a pitman arm is revolute, and `point` names the joint at the other end of the arm",
+            );
     }
-    Some(index)
+    if let (Some(point), Some(moved)) = (&point, moved) {
+        let all: Vec<Joint> =
+            joints.iter().chain(axle_joints).filter_map(|(_, joint)| joint.clone()).collect();
+        if !joint_points(&all, joint.j).contains(&moved) {
+            let message = format!("no joint holds the pitman arm at `{}`", point.get_ref());
+            report
+                .mistake(&point.span(), message, "not on the arm")
+                .help("name the joint between the pitman arm and the relay rod or drag link");
+        }
+    }
+    Some((index, moved))
 }

@@ -43,6 +43,9 @@ impl Geometry<'_> {
         let architecture = &self.model.architecture;
         for index in 1..=architecture.bodies.len() {
             let body = BodyId(index);
+            if architecture.is_shared(body) {
+                continue; // Its joints on the other side are not among these.
+            }
             let points = architecture.joint_points(body);
             let Some(line) = self.only_line(body, &points) else {
                 continue;

@@ -39,6 +39,33 @@ impl Geometry<'_> {
         for (span, bushing) in places.bushings.iter().zip(&loads.bushings) {
             add(span, &bushing.force);
         }
+        self.check_axle_forces(report);
+    }
+
+    /// Forces between the two sides, on the points of this side and of its mirror image.
+    fn check_axle_forces(&self, report: &mut Report) {
+        let (model, architecture) = (self.model, &self.model.architecture);
+        let mut trial = Mechanism::new(&architecture.ground);
+        for (prefix, sign) in [("", 1.0), ("other.", -1.0)] {
+            for point in &model.points {
+                let [x, y, z] = point.position;
+                let _ = trial.add_point(&format!("{prefix}{}", point.name), [x, sign * y, z]);
+            }
+            for body in &architecture.bodies {
+                let _ = trial.add_body(&format!("{prefix}{}", body.name), [0.0; 3]);
+            }
+        }
+        for (span, force) in self.loads.axle_forces.iter().zip(&model.loads.axle_forces) {
+            if let Some((why, help)) = architecture.not_across(force.i, force.j) {
+                report
+                    .mistake(span, format!("the force `{}` {why}", force.name), "here")
+                    .help(help);
+                continue;
+            }
+            if let Err(error) = trial.add_force(&force.name, force.i, force.j, force.kind.clone()) {
+                note(span, &error, report);
+            }
+        }
     }
 }
 

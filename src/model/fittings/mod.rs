@@ -75,6 +75,13 @@ fn add_body(
             .help("give the body of the architecture another name, or leave this section out");
         return None;
     }
+    // In joints between the sides, bodies of the other side have the numbers behind those of this side.
+    let number = architecture.bodies.len();
+    for joint in &mut architecture.axle_joints {
+        for body in [&mut joint.i, &mut joint.j] {
+            body.0 += usize::from(body.0 > number);
+        }
+    }
     let (name, meaning) = (name.to_owned(), meaning.to_owned());
     architecture.bodies.push(BodyRole { name, meaning, shared });
     Some(BodyId(architecture.bodies.len()))

@@ -67,7 +67,14 @@ pub(super) fn fit(
     fittings.steering = Some(Steering { limits, rack_per_radian, stiffness });
     if let Some(stiffness) = stiffness {
         let Joint { i: carrier, j: rack, kind, .. } = architecture.joints[slide].clone();
-        let JointKind::Translational { at, .. } = kind else { return };
+        let JointKind::Translational { at, .. } = kind else {
+            report.mistake(&span, "the stiffness of a steering gear is known of racks only", "a pitman arm").help(
+                "leave out `column_stiffness`, `torsion_bar_stiffness` and `mount_stiffness`, or put a \
+                 torsion spring of [[forces]] on a body of the architecture",
+            );
+            section.finish_open(report);
+            return;
+        };
         let body = ("steering_input", "Driven end of the steering gear");
         let Some(input) = super::add_body(architecture, &section, body, true, report) else {
             return;

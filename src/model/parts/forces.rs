@@ -37,6 +37,10 @@ const KINDS_WITH_TYRE: &[&str] = &[
     "tyre",
 ];
 
+/// The kinds between the two sides of an axle.
+const KINDS_ACROSS: &[&str] =
+    &["spring", "damper", "actuator", "bump-stop", "rebound-stop", "torsion-spring", "bushing"];
+
 impl Parts<'_> {
     /// The force elements in the order of the file; `None` for one with a mistake.
     pub(crate) fn forces(
@@ -46,7 +50,26 @@ impl Parts<'_> {
         report: &mut Report,
     ) -> Vec<(Spanned<String>, Option<Force>)> {
         let kinds = if tyres { KINDS_WITH_TYRE } else { KINDS };
-        named_sections(root, "forces", "spring", report, |section, name, report| {
+        self.forces_of(root, "forces", kinds, report)
+    }
+
+    /// The force elements between the two sides of an axle.
+    pub(crate) fn axle_forces(
+        &self,
+        root: &mut Section,
+        report: &mut Report,
+    ) -> Vec<(Spanned<String>, Option<Force>)> {
+        self.forces_of(root, "axle_forces", KINDS_ACROSS, report)
+    }
+
+    fn forces_of(
+        &self,
+        root: &mut Section,
+        key: &'static str,
+        kinds: &[&'static str],
+        report: &mut Report,
+    ) -> Vec<(Spanned<String>, Option<Force>)> {
+        named_sections(root, key, "spring", report, |section, name, report| {
             self.force(section, name, kinds, report)
         })
     }

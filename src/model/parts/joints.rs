@@ -60,7 +60,17 @@ impl Parts<'_> {
                 .mistake(&span, "`joints` is missing", "in this file")
                 .help("write one `[[joints]]` section for each joint");
         }
-        named_sections(root, "joints", "lca_pivot", report, |section, name, report| {
+        self.joints_of(root, "joints", report)
+    }
+
+    /// The joints of a list of sections, which may be absent.
+    pub(crate) fn joints_of(
+        &self,
+        root: &mut Section,
+        key: &'static str,
+        report: &mut Report,
+    ) -> Vec<(Spanned<String>, Option<Joint>)> {
+        named_sections(root, key, "lca_pivot", report, |section, name, report| {
             self.joint(section, name, report)
         })
     }
