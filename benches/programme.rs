@@ -7,7 +7,7 @@ use std::time::Duration;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use hardpoint::factors::{Convention, FACTORS};
 use hardpoint::model::{Model, Setup};
-use hardpoint::programme::{Ranges, standard};
+use hardpoint::programme::{Ranges, Stage, standard};
 
 /// All events of an axle on bushings, as `hardpoint rig` runs them: without factors, with those that the
 /// tangents give, and with the compliance matrix and all factors of every state.
@@ -15,7 +15,7 @@ fn programme(criterion: &mut Criterion) {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/models/sedan-axle.toml");
     let model = Model::load(path).expect("the model is right");
     let stages = standard(&model, &Ranges::default());
-    let states: usize = stages.iter().map(|stage| stage.states()).sum();
+    let states: usize = stages.iter().map(Stage::states).sum();
     let mut group = criterion.benchmark_group("standard programme of models/sedan-axle.toml");
     group.throughput(Throughput::Elements(states as u64)).sample_size(10);
     group.measurement_time(Duration::from_secs(20));

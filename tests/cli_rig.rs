@@ -159,3 +159,15 @@ fn commands_set_the_car_otherwise() {
     let mechanism = hardpoint(&["check", "models/four-bar.toml", "--set", "toe=1"]).code(2);
     assert!(stderr(&mechanism).contains("--set belongs to suspensions"));
 }
+
+/// A report of an axle whose sides differ shows both.
+#[test]
+fn report_has_the_points_of_both_files() {
+    let shown = stdout(&hardpoint(&["report", "tests/fixtures/left-sedan.toml"]).success());
+    for title in ["HARD POINTS, left side", "HARD POINTS, right side"] {
+        assert!(shown.contains(title), "{shown}");
+    }
+    assert!(shown.contains("-690.000     108.000 mm"), "{shown}");
+    let mirrored = stdout(&hardpoint(&["report", "models/lotus-front.toml"]).success());
+    assert_eq!(mirrored.matches("HARD POINTS").count(), 1);
+}

@@ -143,12 +143,22 @@ impl LotusReport<'_> {
         writeln!(writer)
     }
 
+    /// The points of the file, and those of the other side where that is a file of its own.
     fn points(&self, writer: &mut impl io::Write) -> io::Result<()> {
-        let (model, units) = (self.model, self.model.units);
+        self.points_of(self.model, writer)?;
+        if self.model.has_other_side() {
+            self.points_of(&self.model.other_side(), writer)?;
+        }
+        Ok(())
+    }
+
+    fn points_of(&self, model: &Model, writer: &mut impl io::Write) -> io::Result<()> {
+        // Both in the units and axes of the file that is read.
+        let Model { axes, units, .. } = *self.model;
         let side = model.side.name();
         writeln!(writer, "HARD POINTS, {side} side{:>22}{:>12}{:>12}", "x", "y", "z")?;
         for point in model.points() {
-            let at = model.axes.from_iso(point.position).map(|c| units.length.from_metres(c));
+            let at = axes.from_iso(point.position).map(|c| units.length.from_metres(c));
             let [x, y, z] = at.map(|c| cell_to(Some(c), 3));
             writeln!(
                 writer,
