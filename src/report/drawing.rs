@@ -10,6 +10,8 @@ use crate::vector::{add, cross, scale, unit};
 const WIDTH: f64 = 760.0;
 const MARGIN: f64 = 30.0;
 const LINE: f64 = 15.0;
+/// Points nearer than this on the sheet (pixels) share a label.
+const TOGETHER: f64 = 6.0;
 /// One colour for each body, again from the first where there are more bodies.
 const COLOURS: [&str; 10] = [
     "#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#8c564b", "#e377c2", "#17becf",
@@ -234,6 +236,7 @@ impl Figure {
                 .collect();
             let _ = writeln!(svg, "<polyline points=\"{}\" {style}/>", points.join(" "));
         }
+        let mut labels: Vec<([f64; 2], String)> = vec![];
         for (place, number, chassis) in &self.points {
             let [x, y] = frame.on_sheet(*place);
             let _ = if *chassis {
@@ -246,9 +249,18 @@ impl Figure {
                 )
             };
             if let Some(number) = number {
-                let (x, y) = (x + 5.0, y - 4.0);
-                let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\">{}</text>", number + 1);
+                let near = |(place, _): &&mut ([f64; 2], String)| {
+                    (place[0] - x).hypot(place[1] - y) < TOGETHER
+                };
+                match labels.iter_mut().find(near) {
+                    Some((_, label)) => *label = format!("{label}, {}", number + 1),
+                    None => labels.push(([x, y], (number + 1).to_string())),
+                }
             }
+        }
+        for ([x, y], label) in labels {
+            let (x, y) = (x + 5.0, y - 4.0);
+            let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\">{label}</text>");
         }
     }
 }
@@ -281,16 +293,16 @@ impl View {
         match self {
             Self::Front => [y, z],
             Self::Side(side) => [-side.sign() * x, z],
-            Self::Top => [y, x],
+            Self::Top => [y, -x],
         }
     }
 
     fn title(self) -> &'static str {
         match self {
-            Self::Front => "Front view",
+            Self::Front => "Front view, from ahead",
             Self::Side(Side::Left) => "Side view from the left, forward to the left",
             Self::Side(Side::Right) => "Side view from the right, forward to the right",
-            Self::Top => "Top view, forward is up, the left side is right",
+            Self::Top => "Top view, forward is down",
         }
     }
 }

@@ -77,7 +77,7 @@ pub fn largest_error_of(system: &System, aside: f64) -> (f64, String) {
             }
             kind => panic!("no architecture has had a joint that is {}", kind.name()),
         };
-        if !(error <= worst.0) {
+        if error.is_nan() || error > worst.0 {
             worst = (error, joint.name.clone());
         }
     }
