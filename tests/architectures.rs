@@ -16,7 +16,7 @@ use hardpoint::solve::System;
 use joints::{distance, largest_error};
 
 /// Motions that joints leave free with the rack held, as tabulated for one side, or for an axle where the
-/// sides are one mechanism. The last two hold less than an axle needs and stand on bushings.
+/// sides are one mechanism. The last two leave too little for an axle: they move in their bushings.
 const FREE: [(&str, usize); 25] = [
     ("double-wishbone", 1),
     ("double-wishbone-pitman", 1),

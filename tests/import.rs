@@ -268,13 +268,12 @@ fn files_that_are_no_suspension_are_refused_with_what_to_do() {
 #[test]
 fn a_strut_of_chrono_keeps_springs_stops_masses_and_angles() {
     let options = Options {
-        architecture: Some("../architectures/macpherson.toml".to_owned()),
         wheel_radius: Some(0.31),
         ..Options::default()
     };
     let imported = imported_with("strut.json", &options);
     let table = table(&imported);
-    assert_eq!(numbers(&table["points"]["strut_top"]), [-0.03, 0.58, 0.55]);
+    assert_eq!(numbers(&table["points"]["strut_upper"]), [-0.03, 0.58, 0.55]);
     assert!((table["wheel"]["toe"].as_float().unwrap().to_degrees() - 0.25).abs() < 1e-15);
     assert!((table["wheel"]["camber"].as_float().unwrap().to_degrees() + 1.0).abs() < 1e-15);
     // Inertias of the arm are in the axes of the vehicle, as the file says.

@@ -1,7 +1,8 @@
 //! Both sides of a vehicle in one mechanism.
 
+mod across;
+
 use super::adjusters::InMechanism;
-use super::architecture::{Across, point_across};
 use super::chassis::Rolling;
 use super::setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
 use super::suspension::{StrutLine, Wheel, is_from_ground};
@@ -193,17 +194,8 @@ pub(super) fn difference([left, right]: [&Model; 2]) -> Option<String> {
     {
         return Some(format!("their architectures `{}` and `{}` differ", a.title, b.title));
     }
-    for (side, here, there) in [(left.side, left, right), (right.side, right, left)] {
-        let forces = here.loads.axle_forces.iter();
-        let points = forces.filter_map(|force| force.kind.points()).flatten();
-        let others = points.filter_map(|point| match point_across(point, here.points.len()) {
-            Across::This(_) => None,
-            Across::Other(point) => Some(&here.points[point.0].name),
-        });
-        if let Some(name) = others.into_iter().find(|name| there.point(name).is_none()) {
-            let name = name.clone();
-            return Some(format!("only the {} one has the point `{name}`", side.name()));
-        }
+    if let Some(difference) = across::missing_point([left, right]) {
+        return Some(difference);
     }
     let bars = [left, right].map(|model| model.anti_roll_bar().is_some());
     (bars[0] != bars[1]).then(|| "only one of them has an anti-roll bar".to_owned())
@@ -293,38 +285,6 @@ impl<'a> Half<'a> {
             if once == shared {
                 self.add_force(mechanism, &name(&force.name), force)?;
             }
-        }
-        Ok(())
-    }
-
-    /// Adds the joints and forces between this side and the other one.
-    fn add_parts_across(
-        &self,
-        other: &Self,
-        mechanism: &mut Mechanism,
-    ) -> Result<(), MechanismError> {
-        let model = self.model;
-        let body = |id: BodyId| match model.architecture.body_across(id) {
-            Across::This(body) => self.body(body),
-            Across::Other(body) => other.body(body),
-        };
-        let point = |id: PointId, count: usize| match point_across(id, count) {
-            Across::This(point) => self.point(point),
-            // The other side may have a file and points of its own.
-            Across::Other(point) => {
-                let name = &model.points[point.0].name;
-                let found = other.model.points.iter().position(|point| point.name == *name);
-                other.point(found.map_or(point, PointId))
-            }
-        };
-        let required = model.architecture.points.len();
-        for joint in &model.architecture.axle_joints {
-            let kind = joint.kind.on_points(|id| point(id, required));
-            mechanism.add_joint(&joint.name, body(joint.i), body(joint.j), kind)?;
-        }
-        for force in &model.loads.axle_forces {
-            let kind = force.kind.clone().on_points(|id| point(id, model.points.len()));
-            mechanism.add_force(&force.name, body(force.i), body(force.j), kind)?;
         }
         Ok(())
     }

@@ -64,7 +64,12 @@ impl Architecture {
             Across::Other(_) => false,
         });
         let why = || "is between bodies that both sides have together".to_owned();
-        shared.then(|| (why(), "it is there once anyway: take it to the parts of one side"))
+        shared.then(|| {
+            (
+                why(),
+                "write it among [[joints]] or [[forces]], where such a part is there once anyway",
+            )
+        })
     }
 
     /// The joints between the sides with the numbers of one side.
