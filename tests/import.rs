@@ -267,10 +267,7 @@ fn files_that_are_no_suspension_are_refused_with_what_to_do() {
 
 #[test]
 fn a_strut_of_chrono_keeps_springs_stops_masses_and_angles() {
-    let options = Options {
-        wheel_radius: Some(0.31),
-        ..Options::default()
-    };
+    let options = Options { wheel_radius: Some(0.31), ..Options::default() };
     let imported = imported_with("strut.json", &options);
     let table = table(&imported);
     assert_eq!(numbers(&table["points"]["strut_upper"]), [-0.03, 0.58, 0.55]);
