@@ -220,7 +220,7 @@ impl Equilibrium {
         self.solve(&once).status != super::newton::Status::Singular
     }
 
-    /// The equation of a driver, for [`DriverTangent::multiplier`].
+    /// The equation of a driver, for [`DriverTangent::multiplier`](super::linearised::DriverTangent::multiplier).
     ///
     /// # Panics
     /// If the driver belongs to another mechanism.

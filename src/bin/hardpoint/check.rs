@@ -71,22 +71,22 @@ impl Check {
     fn facts(&self, document: &Document, rig: impl Fn(RigError) -> Failure) -> Result<(), Failure> {
         match document {
             Document::Suspension(model) if self.axle => {
-                let mut axle = Axle::new(&model, &Setup::default()).map_err(rig)?;
-                warn_of_ratio(&model);
+                let mut axle = Axle::new(model, &Setup::default()).map_err(rig)?;
+                warn_of_ratio(model);
                 let poses = [Side::Left, Side::Right].map(|side| axle.pose(side));
                 let leaves = leaves_free(axle.stand());
                 let held = leaves.then(|| held(axle.rest(), model.units));
                 let parts = (axle.stand(), axle.forces(), axle.adjustments());
-                Output::Stdout.write(|writer| suspension(writer, &model, parts, &poses, held))
+                Output::Stdout.write(|writer| suspension(writer, model, parts, &poses, held))
             }
             Document::Suspension(model) => {
-                warn_of_ratio(&model);
-                let mut corner = Corner::new(&model, &Setup::default()).map_err(rig)?;
+                warn_of_ratio(model);
+                let mut corner = Corner::new(model, &Setup::default()).map_err(rig)?;
                 let poses = [corner.pose()];
                 let leaves = leaves_free(corner.stand());
                 let held = leaves.then(|| held(corner.rest(), model.units));
                 let parts = (corner.stand(), corner.forces(), corner.adjustments());
-                Output::Stdout.write(|writer| suspension(writer, &model, parts, &poses, held))
+                Output::Stdout.write(|writer| suspension(writer, model, parts, &poses, held))
             }
             Document::Mechanism(_) if self.axle => Err(Failure::Usage(
                 "--axle belongs to suspensions; this file is a mechanism".into(),
@@ -98,7 +98,7 @@ impl Check {
                 let mut stand =
                     Stand::new(model.mechanism.clone(), &[], Axes::Iso8855).map_err(rig)?;
                 let held = leaves_free(&stand).then(|| held(stand.rest(), model.units));
-                Output::Stdout.write(|writer| mechanism(writer, &model, &stand, held))
+                Output::Stdout.write(|writer| mechanism(writer, model, &stand, held))
             }
         }
     }
