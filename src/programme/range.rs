@@ -93,7 +93,7 @@ impl WorkingRange {
     ) -> Result<Self, StageError> {
         let mut axle = Axle::with_loads(model, setup, LoadPoint::default())?;
         let mechanism = axle.suspension().mechanism.clone();
-        let rods = rods(&mechanism);
+        let (joints, rods) = (joint_points(&mechanism), rods(&mechanism));
         let mut pairs = pairs(&mechanism, &rods);
         let mut range = Self::default();
         for &rack in racks {
@@ -108,7 +108,7 @@ impl WorkingRange {
                         break;
                     }
                     range.states += usize::from(step > 0 || direction > 0.0);
-                    range.look_at_speeds(&mut axle, at);
+                    range.look_at_speeds(&mut axle, &mechanism, &joints, at);
                     for pair in &mut pairs {
                         pair.look(&axle, &rods, at);
                     }
@@ -119,12 +119,17 @@ impl WorkingRange {
         Ok(range)
     }
 
-    fn look_at_speeds(&mut self, axle: &mut Axle, at: Place) {
+    fn look_at_speeds(
+        &mut self,
+        axle: &mut Axle,
+        mechanism: &Mechanism,
+        joints: &[(BodyId, PointId)],
+        at: Place,
+    ) {
         let wheel = axle.suspension().sides[0].travel;
-        let mechanism = axle.suspension().mechanism.clone();
         let Some(tangent) = axle.tangent(wheel) else { return };
-        for (body, point) in joint_points(&mechanism) {
-            let place = point_position(&mechanism, tangent.state(), body, point);
+        for &(body, point) in joints {
+            let place = point_position(mechanism, tangent.state(), body, point);
             let ratio = norm(tangent.twist(body).at(place));
             if self.fastest.as_ref().is_none_or(|fastest| ratio > fastest.ratio) {
                 let body = mechanism.bodies()[body.index()].name.clone();

@@ -10,7 +10,7 @@ use hardpoint::solve::{FreeMotion, Stop};
 
 use crate::failure::Failure;
 use crate::loads::{RigOptions, length};
-use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
+use crate::output::{ConventionName, Format, Output, SideName, axes_of_words, warn_of_free};
 use crate::steering::SteeringOptions;
 use crate::{is_axle, load};
 
@@ -123,7 +123,7 @@ impl Factors {
         corner.measure_compliance(true);
         corner.set_load(&load);
         corner.move_to(travel, rack).map_err(|stop| not_reached(stop, model.axes))?;
-        warn_of_free(corner.free_wheel_motions(), model.axes);
+        warn_of_free(corner.free_wheel_motions().map(words), model.axes);
         Ok((vec![corner.pose()], corner.adjustments().to_vec()))
     }
 
@@ -140,7 +140,7 @@ impl Factors {
         axle.measure_compliance(true);
         axle.set_load(&load);
         axle.move_to([travel; 2], rack).map_err(|stop| not_reached(stop, model.axes))?;
-        warn_of_free(axle.free_wheel_motions(), model.axes);
+        warn_of_free(axle.free_wheel_motions().map(words), model.axes);
         Ok((axle.poses().to_vec(), axle.adjustments().to_vec()))
     }
 }
@@ -150,13 +150,6 @@ fn not_reached(stop: Stop, axes: Axes) -> Failure {
     Failure::Stopped(vec![stop], format!("the state was not reached{axes}"))
 }
 
-fn warn_of_free<'a>(motions: impl Iterator<Item = &'a FreeMotion>, axes: Axes) {
-    for motion in motions {
-        let motion = &motion.description;
-        let axes = axes_of_words(axes, motion);
-        eprintln!(
-            "warning: no joint holds this motion: {motion}{axes}; values that depend on it are not \
-             determined by the model. Add a joint"
-        );
-    }
+fn words(motion: &FreeMotion) -> &str {
+    &motion.description
 }

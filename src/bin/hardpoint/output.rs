@@ -123,6 +123,17 @@ pub fn axes_of_words(axes: Axes, words: &str) -> &'static str {
     if numbers && axes != Axes::Iso8855 { " (numbers in iso8855 axes)" } else { "" }
 }
 
+/// Warns of motions of the wheel that nothing holds, in words.
+pub fn warn_of_free<'a>(motions: impl Iterator<Item = &'a str>, axes: Axes) {
+    for motion in motions {
+        let axes = axes_of_words(axes, motion);
+        eprintln!(
+            "warning: no joint holds this motion: {motion}{axes}; values that depend on it are not \
+             determined by the model. Add a joint"
+        );
+    }
+}
+
 /// Where results go.
 pub enum Output {
     /// To the terminal or a pipe.

@@ -18,7 +18,7 @@ use hardpoint::solve::Stop;
 use crate::events::{EventName, VerticalOptions, Wheels};
 use crate::failure::Failure;
 use crate::loads::RigOptions;
-use crate::output::{ConventionName, Format, Output, SideName, axes_of_words};
+use crate::output::{ConventionName, Format, Output, SideName, axes_of_words, warn_of_free};
 use crate::progress::Progress;
 use crate::steering::{SteerBy, SteeringOptions};
 use crate::{is_axle, load};
@@ -318,13 +318,7 @@ impl Sweep {
         let progress = Progress::new(states);
         let sweep = run(&mut |done| progress.show(done));
         progress.clear();
-        for motion in &sweep.free_motions {
-            let axes = axes_of_words(axes, motion);
-            eprintln!(
-                "warning: no joint holds this motion: {motion}{axes}; values that depend on it are not \
-                 determined by the model. Add a joint"
-            );
-        }
+        warn_of_free(sweep.free_motions.iter().map(String::as_str), axes);
         sweep
     }
 

@@ -12,23 +12,7 @@ use crate::model::read::Section;
 /// axis systems differ in signs only, so `"y"` is the same line in all of them.
 pub(crate) const Y: Direction = Direction::Fixed([0.0, 1.0, 0.0]);
 
-const KINDS: &[&str] = &[
-    "spherical",
-    "revolute",
-    "universal",
-    "translational",
-    "cylindrical",
-    "fixed",
-    "link",
-    "in-plane",
-    "in-line",
-    "perpendicular",
-    "perpendicular-axes",
-    "parallel-axes",
-    "orientation",
-];
-
-/// The kinds of mechanisms: an architecture has no lengths of its own.
+/// The kinds of mechanisms; those that need lengths come last.
 const KINDS_WITH_LENGTHS: &[&str] = &[
     "spherical",
     "revolute",
@@ -46,6 +30,9 @@ const KINDS_WITH_LENGTHS: &[&str] = &[
     "rack-and-pinion",
     "screw",
 ];
+
+/// The kinds of architectures, which have no lengths of their own.
+const KINDS: &[&str] = KINDS_WITH_LENGTHS.split_at(KINDS_WITH_LENGTHS.len() - 2).0;
 
 impl Parts<'_> {
     /// The joints in the order of the file; `None` for a joint with a mistake.
@@ -171,19 +158,8 @@ pub(crate) fn joint_points(joints: &[Joint], body: BodyId) -> Vec<PointId> {
             }
             JointKind::Link { on_i, .. } if body == joint.i => vec![on_i],
             JointKind::Link { on_j, .. } => vec![on_j],
-            JointKind::Spherical { at }
-            | JointKind::Universal { at, .. }
-            | JointKind::Translational { at, .. }
-            | JointKind::Fixed { at }
-            | JointKind::InPlane { at, .. }
-            | JointKind::InLine { at, .. }
-            | JointKind::Perpendicular { at, .. }
-            | JointKind::Hooke { at, .. }
-            | JointKind::PerpendicularAxes { at, .. }
-            | JointKind::ParallelAxes { at, .. }
-            | JointKind::Orientation { at }
-            | JointKind::RackAndPinion { at, .. }
-            | JointKind::Screw { at, .. } => vec![at],
+            // All others hold one point of both bodies.
+            kind => vec![kind.points()[0]],
         });
     }
     points.sort_unstable();
