@@ -130,6 +130,17 @@ impl Elements {
         &self.responses
     }
 
+    /// What full turns (rad) are in a difference between the counted value of an element and that of its kernel;
+    /// zero where the value is no angle.
+    pub(super) fn turns(&self, value: usize, difference: f64) -> f64 {
+        let owner = self.list.iter().find(|element| element.term.equations.contains(&value));
+        let turn = std::f64::consts::TAU;
+        match owner {
+            Some(Element { periodic: true, .. }) => turn * (difference / turn).round(),
+            _ => 0.0,
+        }
+    }
+
     /// The laws, one for each value.
     pub fn laws(&self) -> &[Law] {
         &self.laws

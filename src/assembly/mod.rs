@@ -16,6 +16,7 @@ mod jacobian;
 mod kkt;
 mod pattern;
 mod terms;
+mod variation;
 
 pub use elements::{Blend, Elements, Motion};
 pub use inertias::Inertias;
@@ -23,6 +24,7 @@ pub use jacobian::Jacobian;
 pub use kkt::Kkt;
 pub use pattern::Pattern;
 pub use terms::{Numbering, Terms};
+pub use variation::{Along, Derivatives, ElementConstant, Entries, Rows, Variation};
 
 use crate::mechanism::Body;
 use crate::relation::{BODY_COORDINATES, Coordinates};

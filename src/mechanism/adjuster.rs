@@ -116,6 +116,11 @@ impl Expansion {
         places.map(|(slot, _)| slot).find(|slot| self.driver_slots().changes(*slot..*slot + 3))
     }
 
+    /// The parameter that is the length of a link or of a line force.
+    pub fn length(&self, owner: Owner) -> Option<usize> {
+        self.parts(owner).map(|parameters| parameters.end - 1).last()
+    }
+
     /// All recipes with their first parameters.
     fn slots(&self) -> impl Iterator<Item = (usize, &Recipe)> {
         self.recipes.iter().scan(0, |next, recipe| {

@@ -1,6 +1,7 @@
 //! Force laws: what a force element answers to the value of its relation.
 
 use super::spline::{Jet, Spline};
+use crate::scalar::Real;
 
 /// A function of one variable that is zero at zero unless it is a table.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -51,6 +52,17 @@ impl Curve {
     fn is_zero(&self) -> bool {
         matches!(self, Self::Zero)
     }
+}
+
+/// A number of a law that can be varied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LawConstant {
+    /// The stiffness (N/m or N·m/rad) of a linear law; of a table, a factor of all its forces, which is 1.
+    Stiffness,
+    /// The constant force (N or N·m).
+    Preload,
+    /// The force (N or N·m) in a row of the table, numbered from 0.
+    Row(usize),
 }
 
 /// When a force element acts.
@@ -119,6 +131,32 @@ impl Law {
                 Acts::Above => Acts::Below,
             },
         }
+    }
+
+    /// λ at rest and ∂λ/∂Φ on any scalar: what derivatives Φ has, they have, too.
+    pub fn lifted<S: Real>(&self, value: S) -> [S; 2] {
+        let Response { force, by_value, by_value_twice, .. } = self.at(value.value(), 0.0);
+        let change = value - S::from_f64(value.value());
+        let taylor = |value: f64, first: f64| S::from_f64(value) + S::from_f64(first) * change;
+        [taylor(force, by_value), taylor(by_value, by_value_twice)]
+    }
+
+    /// ∂λ/∂c of one of its constants at rest, on any scalar; zero where the law has no such constant.
+    pub fn by_constant<S: Real>(&self, constant: LawConstant, value: S) -> S {
+        let x = value.value();
+        let change = value - S::from_f64(x);
+        let idle = self.at(x, 0.0).size == 0.0 && self.acts != Acts::Always;
+        let jet = match (constant, &self.elastic) {
+            _ if idle => Jet::default(),
+            (LawConstant::Preload, _) => Jet { value: 1.0, ..Jet::default() },
+            (LawConstant::Stiffness, Curve::Zero | Curve::Linear(_)) => {
+                Jet { value: x, first: 1.0, second: 0.0 }
+            }
+            (LawConstant::Stiffness, table) => table.at(x),
+            (LawConstant::Row(row), Curve::Table(spline)) => spline.by_row(row, x),
+            (LawConstant::Row(_), _) => Jet::default(),
+        };
+        S::from_f64(jet.value) + S::from_f64(jet.first) * change
     }
 
     /// Whether there is never any force.
@@ -193,6 +231,7 @@ impl Law {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::Dual;
 
     #[test]
     fn a_stop_pushes_only_and_only_after_its_clearance() {
@@ -254,6 +293,38 @@ mod tests {
         for (value, rate) in [(-1.0, -0.2), (-1.5, 0.4), (0.5, 0.0)] {
             assert_eq!(law.reversed().at(-value, -rate).force, -law.at(value, rate).force);
         }
+    }
+
+    #[test]
+    fn derivatives_by_constants_are_those_of_the_law_with_other_constants() {
+        let rows = vec![[-0.02, -300.0], [0.01, 40.0], [0.03, 500.0], [0.05, 600.0]];
+        let table = |k: usize, by: f64| {
+            let mut rows = rows.clone();
+            rows[k][1] += by;
+            Law { elastic: Curve::Table(Spline::new("spring", rows).unwrap()), ..Law::default() }
+        };
+        for x in [-0.03, 0.002, 0.04, 0.07] {
+            let dual = Dual::new(x, 2.0);
+            for row in 0..4 {
+                let found = table(0, 0.0).by_constant(LawConstant::Row(row), dual);
+                // The spline depends on its forces linearly.
+                let [more, less] = [10.0, -10.0].map(|by| table(row, by).at(x, 0.0));
+                assert!((found.value - (more.force - less.force) / 20.0).abs() < 1e-12);
+                let slope = 2.0 * (more.by_value - less.by_value) / 20.0;
+                assert!((found.derivative - slope).abs() < 1e-10);
+            }
+            let scaled = table(0, 0.0).by_constant(LawConstant::Stiffness, x);
+            assert_eq!(scaled, table(0, 0.0).at(x, 0.0).force);
+            let linear = Law::spring(50.0).by_constant(LawConstant::Stiffness, dual);
+            assert_eq!(linear, dual);
+            let lifted = table(0, 0.0).lifted(dual);
+            let response = table(0, 0.0).at(x, 0.0);
+            assert_eq!(lifted[0], Dual::new(response.force, 2.0 * response.by_value));
+            assert_eq!(lifted[1], Dual::new(response.by_value, 2.0 * response.by_value_twice));
+        }
+        let stop = Law { acts: Acts::Below, ..Law::spring(50.0) };
+        assert_eq!(stop.by_constant(LawConstant::Stiffness, 0.1), 0.0);
+        assert_eq!(stop.by_constant(LawConstant::Stiffness, -0.1), -0.1);
     }
 
     #[test]

@@ -38,7 +38,7 @@ pub use force::{
     MomentLaw, Reference, RotationMeasure, Triad,
 };
 pub(crate) use labels::joint as joint_in_words;
-pub use law::{Acts, Curve, Law, Response};
+pub use law::{Acts, Curve, Law, LawConstant, Response};
 pub use slots::DriverSlots;
 pub use spline::{Jet, Spline};
 pub use topology::{

@@ -92,6 +92,14 @@ impl Spline {
         self.within(self.points.partition_point(|p| p[0] <= x) - 1, x)
     }
 
+    /// The derivative of the function by the y of a row, numbered from 0, with its derivatives by x.
+    pub(super) fn by_row(&self, row: usize, x: f64) -> Jet {
+        let unit = |(k, &[x, _]): (usize, &[f64; 2])| [x, if k == row { 1.0 } else { 0.0 }];
+        let points: Vec<[f64; 2]> = self.points.iter().enumerate().map(unit).collect();
+        let second = second_derivatives(&points);
+        Self::from_parts(points, second).at(x)
+    }
+
     /// The integral from zero to x.
     pub fn integral(&self, x: f64) -> f64 {
         self.antiderivative(x) - self.antiderivative(0.0)

@@ -221,8 +221,8 @@ impl<'a> Half<'a> {
         mechanism: &mut Mechanism,
     ) -> Result<Self, MechanismError> {
         let mut half = Self { model, first_point: mechanism.points().len(), bodies: vec![] };
-        for point in &model.points {
-            mechanism.add_point(&half.name(&point.name), point.position)?;
+        for (name, position) in model.mechanism_points() {
+            mechanism.add_point(&half.name(name), position)?;
         }
         for (index, shared) in shared.iter().enumerate() {
             let id = BodyId(index);

@@ -48,6 +48,7 @@ pub use mechanism_file::MechanismModel;
 pub use parts::Marker;
 pub use quantity::Quantity;
 pub use setup::{Chassis, Drive, Setup, SuspensionError, WheelSupport};
+pub(crate) use suspension::{AXLE_LENGTH, AXLE_POINT};
 pub use suspension::{StrutLine, Suspension, Wheel};
 pub use units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, Units};
 pub use vehicle::{Axle, Brakes, Vehicle};

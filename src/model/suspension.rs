@@ -9,6 +9,17 @@ use crate::mechanism::{
     Acts, BodyId, Contact, Curve, Direction, DriverId, DriverKind, Force, ForceId, ForceKind,
     JointKind, Law, MassProperties, Mechanism, MechanismError, PointId,
 };
+use crate::vector::{scale, sub};
+
+/// The beginning of the name of a point that is the image of a bushing's.
+const OPPOSITE: &str = "opposite of ";
+
+/// The name of the point that stands for toe and camber. Names of files are one word, so no point of a model
+/// has it.
+pub(crate) const AXLE_POINT: &str = "spin axis";
+
+/// How far (m) the point that stands for toe and camber is inboard of the wheel centre.
+pub(crate) const AXLE_LENGTH: f64 = 0.1;
 
 /// A mechanism together with what makes it a suspension, in SI units and ISO 8855 axes.
 #[derive(Clone, Debug)]
@@ -167,8 +178,8 @@ impl Model {
         let name = &self.architecture.ground;
         let mut mechanism = Mechanism::new(if chassis == Chassis::Slide { "road" } else { name });
         mechanism.set_gravity([0.0, 0.0, 0.0 - self.loads.gravity])?;
-        for point in &self.points {
-            mechanism.add_point(&point.name, point.position)?;
+        for (name, position) in self.mechanism_points() {
+            mechanism.add_point(name, position)?;
         }
         if chassis == Chassis::Fixed {
             return Ok((mechanism, Numbering(0)));
@@ -207,12 +218,30 @@ impl Model {
             add_force(mechanism, numbers, force)?;
         }
         for (bushing, place) in mounts.iter().filter_map(|b| Some((b, self.opposite_place(b)?))) {
-            let point = format!("opposite of {}", bushing.force.name);
+            let point = format!("{OPPOSITE}{}", bushing.force.name);
             let at = mechanism.add_point(&point, place)?;
             let image = fittings::opposite(&bushing.force, at, &self.points);
             add_force(mechanism, numbers, &image)?;
         }
         Ok(())
+    }
+
+    /// The hard point, by its place in the order of the model, whose image a point of the mechanism is.
+    pub(crate) fn opposite_point(&self, name: &str) -> Option<usize> {
+        let bushing = name.strip_prefix(OPPOSITE)?;
+        let mut bushings = self.loads.bushings.iter();
+        let [at, _] = bushings.find(|other| other.force.name == bushing)?.force.kind.points()?;
+        Some(at.0)
+    }
+
+    /// The hard point that gives the spin axis with the wheel centre, by its place in the order of the model, and 1
+    /// where it lies outboard of that, −1 inboard.
+    pub(crate) fn spindle(&self) -> Option<(usize, f64)> {
+        let SpinAxis::Point(name) = &self.spin else { return None };
+        let index = self.points.iter().position(|point| point.name == *name)?;
+        let center = self.points[self.architecture.wheel.center.0].position;
+        let outboard = self.points[index].position[1] - center[1];
+        Some((index, if outboard * self.side.sign() < 0.0 { -1.0 } else { 1.0 }))
     }
 
     /// The place (m) of the image of a bushing that a shared body has on each side; `None` for others, and
@@ -324,20 +353,32 @@ impl Model {
         Direction::Fixed(self.axes.to_iso([0.0, 1.0, 0.0]))
     }
 
+    /// The points of the mechanism with their names: those of the model in its order, then
+    /// [the one](Self::axle_point) that stands for toe and camber.
+    pub(super) fn mechanism_points(&self) -> impl Iterator<Item = (&str, [f64; 3])> {
+        let points = self.points.iter().map(|point| (&*point.name, point.position));
+        let center = self.points[self.architecture.wheel.center.0].position;
+        let inboard = || sub(center, scale(AXLE_LENGTH, self.spin_axis()));
+        let axle = self.axle_point().map(|_| (AXLE_POINT, inboard()));
+        points.chain(axle)
+    }
+
+    /// The point of the mechanism, inboard of the wheel centre on the spin axis, that toe and camber place;
+    /// `None` where a point of the model gives the spin axis.
+    pub fn axle_point(&self) -> Option<PointId> {
+        matches!(self.spin, SpinAxis::Alignment(_)).then_some(PointId(self.points.len()))
+    }
+
     /// The spin axis as the mechanism knows it: it follows the points that define it.
     pub(super) fn spin_direction(&self) -> Direction {
-        let SpinAxis::Point(name) = &self.spin else {
-            return Direction::Fixed(self.spin_axis());
-        };
         let center = self.architecture.wheel.center;
-        let Some(index) = self.points.iter().position(|point| point.name == *name) else {
-            return Direction::Fixed(self.spin_axis());
-        };
-        let outboard = self.points[index].position[1] - self.points[center.0].position[1];
-        if outboard * self.side.sign() < 0.0 {
-            Direction::Between(PointId(index), center)
-        } else {
-            Direction::Between(center, PointId(index))
+        if let Some(inboard) = self.axle_point() {
+            return Direction::Between(inboard, center);
+        }
+        match self.spindle() {
+            None => Direction::Fixed(self.spin_axis()),
+            Some((index, outboard)) if outboard < 0.0 => Direction::Between(PointId(index), center),
+            Some((index, _)) => Direction::Between(center, PointId(index)),
         }
     }
 }

@@ -7,10 +7,14 @@ use super::corner::RigError;
 use super::hold::Hold;
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::Pose;
+use super::shape::Origins;
 use super::stand::Stand;
 use super::station::Station;
 use super::sweep::Specimen;
 use super::target::{Supports, Target};
+use super::varied::{Variable, Varied, VaryError};
+use super::view::View;
+use crate::assembly::ElementConstant;
 use crate::mechanism::{DriverId, Force};
 use crate::model::{AxleSide, AxleSuspension, Model, Rolling, Setup, Side, Steering, WheelSupport};
 use crate::relation::Coordinates;
@@ -35,6 +39,7 @@ pub struct Axle {
     measures_compliance: bool,
     steering: Steering,
     adjustments: Vec<Adjustment>,
+    origins: Origins,
 }
 
 impl Axle {
@@ -110,6 +115,7 @@ impl Axle {
             station.on(&stand, homes[side.index()])
         };
         Ok(Self {
+            origins: Origins::of(stand.mechanism(), &models, &homes),
             stations: [station(Side::Left), station(Side::Right)],
             adjustments: set.into_iter().flatten().flat_map(|set| set.adjustments).collect(),
             load: [Load::default(); 2],
@@ -254,7 +260,7 @@ impl Axle {
     /// # Panics
     /// If the state belongs to another mechanism.
     pub fn pose_at(&self, side: Side, state: &[Coordinates<f64>]) -> Pose<f64> {
-        self.stations[side.index()].pose_at(&self.stand, state)
+        self.stations[side.index()].pose_at(&View { state, ..self.stand.view() })
     }
 
     /// The compliance of both wheels at the current travels, rack and loads; the equilibrium is found
@@ -268,7 +274,7 @@ impl Axle {
             self.rest()?;
         }
         let Self { stations, stand, .. } = self;
-        let poses = stations.each_ref().map(|station| station.pose_at(stand, stand.state()));
+        let poses = stations.each_ref().map(|station| station.pose_at(&stand.view()));
         Compliance::of(stand.rates().equilibrium(), stations, &poses)
     }
 
@@ -280,11 +286,11 @@ impl Axle {
     /// The left and the right wheel, each knowing of the other, and how they give way where that
     /// is measured.
     pub fn poses(&mut self) -> [Pose<f64>; 2] {
-        let Self { stations, stand, suspension, measures_compliance, .. } = self;
+        let Self { stations, stand, measures_compliance, .. } = self;
         let mut poses = stations.each_ref().map(|station| station.pose(stand));
         let mut rates = stand.rates();
         for (station, pose) in stations.iter().zip(&mut poses) {
-            station.move_along(pose, &mut rates, &suspension.mechanism);
+            station.move_along(pose, &mut rates);
         }
         let held = stations.iter().all(Station::is_held);
         if *measures_compliance && held && poses[0].motions.is_some() {
@@ -335,5 +341,28 @@ impl Specimen for Axle {
 
     fn free_motions(&self) -> Vec<String> {
         self.free_wheel_motions().map(|motion| motion.description.clone()).collect()
+    }
+}
+
+impl Variable for Axle {
+    fn stand(&self) -> &Stand {
+        Self::stand(self)
+    }
+
+    fn measure_compliance(&mut self, measures: bool) {
+        Self::measure_compliance(self, measures);
+    }
+
+    fn adjusters(&self, adjuster: usize) -> Vec<DriverId> {
+        self.suspension.adjusters.each_ref().map(|side| side[adjuster]).to_vec()
+    }
+
+    fn vary(
+        &mut self,
+        constants: &[ElementConstant],
+        compliance: bool,
+    ) -> Result<Varied<'_>, VaryError> {
+        let Self { stations, stand, origins, .. } = self;
+        Varied::of(stand, stations, origins, constants, compliance)
     }
 }

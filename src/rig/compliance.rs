@@ -53,12 +53,7 @@ impl Compliance {
 
     /// How the wheel of a row of [`Self::sides`] gives way.
     pub(super) fn of_wheel(&self, wheel: usize) -> WheelCompliance<f64> {
-        let block = |by: usize| {
-            let entry = |i, j| self.entry(WRENCH * wheel + i, WRENCH * by + j);
-            std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
-        };
-        let other = (0..self.sides.len()).find(|&by| by != wheel);
-        WheelCompliance { own: block(wheel), across: other.map_or([[0.0; WRENCH]; WRENCH], block) }
+        WheelCompliance::of_wheel(wheel, self.sides.len(), &self.matrix, 0.0)
     }
 
     /// ‖C − Cᵀ‖ ∕ ‖C‖ in SI units, Frobenius norm. It is rounding where all forces have an energy

@@ -8,11 +8,15 @@ use super::compliance::Compliance;
 use super::hold::Hold;
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::Pose;
+use super::shape::Origins;
 use super::stand::Stand;
 use super::station::Station;
 use super::sweep::Specimen;
 use super::target::{Supports, Target};
-use crate::mechanism::{Force, MechanismError};
+use super::varied::{Variable, Varied, VaryError};
+use super::view::View;
+use crate::assembly::ElementConstant;
+use crate::mechanism::{DriverId, Force, MechanismError};
 use crate::model::{Model, Setup, Steering, Suspension, SuspensionError, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::compliance::ComplianceError;
@@ -59,6 +63,7 @@ pub struct Corner {
     measures_compliance: bool,
     steering: Steering,
     adjustments: Vec<Adjustment>,
+    origins: Origins,
 }
 
 impl Corner {
@@ -101,6 +106,7 @@ impl Corner {
             None => vec![],
         };
         Ok(Self {
+            origins: Origins::of(stand.mechanism(), &[model], &[home]),
             station: Station::of_corner(&suspension, model, setup).on(&stand, home),
             load: Load::default(),
             suspension,
@@ -223,10 +229,10 @@ impl Corner {
     /// Where wheel, steer axis and spring are, how they move, what the wheel carries, and how it gives way
     /// where that is measured.
     pub fn pose(&mut self) -> Pose<f64> {
-        let Self { station, stand, suspension, measures_compliance, .. } = self;
+        let Self { station, stand, measures_compliance, .. } = self;
         let mut pose = station.pose(stand);
         let mut rates = stand.rates();
-        station.move_along(&mut pose, &mut rates, &suspension.mechanism);
+        station.move_along(&mut pose, &mut rates);
         if *measures_compliance && station.is_held() && pose.motions.is_some() {
             let station = std::slice::from_ref(station);
             let matrix = Compliance::of(rates.equilibrium(), station, &[pose]).ok();
@@ -246,7 +252,7 @@ impl Corner {
             self.rest()?;
         }
         let Self { station, stand, .. } = self;
-        let pose = station.pose_at(stand, stand.state());
+        let pose = station.pose_at(&stand.view());
         let station = std::slice::from_ref(station);
         Compliance::of(stand.rates().equilibrium(), station, &[pose])
     }
@@ -257,7 +263,7 @@ impl Corner {
     /// # Panics
     /// If the state belongs to another mechanism.
     pub fn pose_at(&self, state: &[Coordinates<f64>]) -> Pose<f64> {
-        self.station.pose_at(&self.stand, state)
+        self.station.pose_at(&View { state, ..self.stand.view() })
     }
 }
 
@@ -296,5 +302,28 @@ impl Specimen for Corner {
 
     fn free_motions(&self) -> Vec<String> {
         self.free_wheel_motions().map(|motion| motion.description.clone()).collect()
+    }
+}
+
+impl Variable for Corner {
+    fn stand(&self) -> &Stand {
+        Self::stand(self)
+    }
+
+    fn measure_compliance(&mut self, measures: bool) {
+        Self::measure_compliance(self, measures);
+    }
+
+    fn adjusters(&self, adjuster: usize) -> Vec<DriverId> {
+        vec![self.suspension.adjusters[adjuster]]
+    }
+
+    fn vary(
+        &mut self,
+        constants: &[ElementConstant],
+        compliance: bool,
+    ) -> Result<Varied<'_>, VaryError> {
+        let Self { station, stand, origins, .. } = self;
+        Varied::of(stand, std::slice::from_ref(station), origins, constants, compliance)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::scalar::{Dual, Scalar};
 use crate::solve::Twist;
-use crate::vector::{Vector, add, cross, dot, norm, scale, sub, unit};
+use crate::vector::{Vector, add, constant, cross, dot, norm, scale, sub, unit};
 
 /// A straight line through two points: a steer axis, a spring.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,6 +17,21 @@ impl<S> Line<S> {
     /// The line through two points, from the first to the second.
     pub fn through([from, to]: [Vector<S>; 2]) -> Self {
         Self { from, to }
+    }
+}
+
+impl Line<f64> {
+    /// The line on another scalar, at rest.
+    pub fn lifted<S: Scalar>(&self) -> Line<S> {
+        Line { from: constant(self.from), to: constant(self.to) }
+    }
+}
+
+impl Wheel<f64> {
+    /// The wheel on another scalar, at rest.
+    pub fn lifted<S: Scalar>(&self) -> Wheel<S> {
+        let Self { center, spin, radius } = *self;
+        Wheel { center: constant(center), spin: constant(spin), radius: S::from_f64(radius) }
     }
 }
 

@@ -8,6 +8,9 @@ use crate::mechanism::{
 use crate::model::{self, Axes, LOAD_COMPONENTS};
 use crate::solve::equilibrium::Equilibrium;
 
+/// The end of the name of the point at which the rig loads a wheel.
+pub(super) const PATCH: &str = "contact patch at design";
+
 /// Where a load acts on the wheel's body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LoadPoint {
@@ -57,7 +60,7 @@ impl WheelLoads {
                 let center = mechanism.points()[wheel.center.index()].position;
                 let disc = Wheel { center, spin: wheel.spin_axis, radius: wheel.radius };
                 let patch = home.map_or_else(|| disc.contact_patch(), |home| home.patch(center));
-                mechanism.add_point(&format!("{prefix}contact patch at design"), patch)?
+                mechanism.add_point(&format!("{prefix}{PATCH}"), patch)?
             }
         };
         let mut forces = vec![];

@@ -4,6 +4,7 @@ use super::line::{Line, Wheel};
 use crate::model::{Axes, Side, Vehicle};
 use crate::scalar::{Dual, Scalar};
 use crate::solve::Twist;
+use crate::solve::compliance::WRENCH;
 use crate::vector::cross;
 
 /// The vertical load of a wheel.
@@ -133,6 +134,19 @@ pub struct Pose<S> {
     pub side: Side,
     /// The axes of the model, in which coordinates are shown.
     pub axes: Axes,
+}
+
+impl<S: Copy> WheelCompliance<S> {
+    /// The rows of one of so many wheels of a matrix, row by row, which it has alone or with the other.
+    pub(super) fn of_wheel(wheel: usize, wheels: usize, matrix: &[S], zero: S) -> Self {
+        let order = WRENCH * wheels;
+        let block = |by: usize| {
+            let entry = |i, j| matrix[(WRENCH * wheel + i) * order + WRENCH * by + j];
+            std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
+        };
+        let other = (0..wheels).find(|&by| by != wheel);
+        Self { own: block(wheel), across: other.map_or([[zero; WRENCH]; WRENCH], block) }
+    }
 }
 
 impl<S: Scalar> Pose<S> {

@@ -1,8 +1,10 @@
 //! How a stand moves and what it takes, near one of its states.
 
-use crate::mechanism::DriverId;
+use super::view::View;
+use crate::mechanism::{DriverId, DriverSlots};
 use crate::solve::linearised::Linearised;
 use crate::solve::{System, Tangent};
+use crate::vector::Vector;
 
 /// All derivatives of a stand at its state, from one factorisation. The stand cannot change meanwhile.
 pub struct Rates<'a> {
@@ -12,6 +14,7 @@ pub struct Rates<'a> {
     /// Whether the state is one of equilibrium.
     found: bool,
     released: &'a [DriverId],
+    positions: &'a [Vector<f64>],
 }
 
 impl<'a> Rates<'a> {
@@ -21,8 +24,9 @@ impl<'a> Rates<'a> {
         equilibrium: Linearised<'a>,
         found: bool,
         released: &'a [DriverId],
+        positions: &'a [Vector<f64>],
     ) -> Self {
-        Self { system, equilibrium: equilibrium.holding(released), found, released }
+        Self { system, equilibrium: equilibrium.holding(released), found, released, positions }
     }
 
     /// How all bodies move per unit (m or rad) of a driver, the other drivers held: as the joints
@@ -80,14 +84,14 @@ impl<'a> Rates<'a> {
         Some(-self.equilibrium.tangent(by).ok()?.multiplier(equation))
     }
 
-    /// The parameters of the state.
-    pub(super) fn parameters(&self) -> &[f64] {
-        self.equilibrium.at().parameters()
+    /// The state.
+    pub(super) fn view(&self) -> View<'_, f64> {
+        View::of(self.equilibrium.at(), self.positions)
     }
 
-    /// How three parameters, of which this is the first, change with the value of a driver.
-    pub(super) fn change_of_place(&self, driver: DriverId, first: usize) -> [f64; 3] {
-        self.equilibrium.at().driver_slots().rate(driver, first)
+    /// Which parameters the drivers change.
+    pub(super) fn slots(&self) -> &DriverSlots {
+        self.equilibrium.at().driver_slots()
     }
 
     /// The linearised equilibrium itself.

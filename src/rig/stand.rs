@@ -9,13 +9,17 @@ use super::pose::Pose;
 use super::rates::Rates;
 use super::sweep::Specimen;
 use super::target::Target;
-use crate::mechanism::{DriverId, Mechanism};
+use super::varied::VaryError;
+use super::view::View;
+use crate::mechanism::{Body, DriverId, Expansion, Mechanism};
 use crate::model::Axes;
 use crate::relation::Coordinates;
 use crate::solve::equilibrium::Equilibrium;
+use crate::solve::sensitivity::{Frame, Sensitivity};
 use crate::solve::{
     FreedomReport, StaticFailure, StaticReport, StepReport, Stop, System, Tolerances,
 };
+use crate::vector::Vector;
 
 /// A mechanism with its state.
 ///
@@ -34,6 +38,18 @@ pub struct Stand {
     axes: Axes,
     elements: Vec<Channel>,
     joints: Vec<Channel>,
+    /// The design positions of the points (m).
+    positions: Vec<Vector<f64>>,
+    sensitivity: Option<Box<Sensitivity>>,
+}
+
+/// What sensitivities need of a state.
+pub(super) struct Parts<'a> {
+    pub frame: Frame<'a>,
+    pub expansion: &'a Expansion,
+    pub bodies: &'a [Body],
+    pub positions: &'a [Vector<f64>],
+    pub sensitivity: &'a mut Sensitivity,
 }
 
 impl Stand {
@@ -60,6 +76,8 @@ impl Stand {
             axes,
             elements,
             joints,
+            positions: system.mechanism().positions(),
+            sensitivity: None,
             system,
         })
     }
@@ -115,7 +133,36 @@ impl Stand {
         let kinematic = self.rigid || !self.loaded;
         let system = kinematic.then_some(&mut self.system);
         let found = self.loaded && self.found;
-        Rates::new(system, self.equilibrium.linearised(), found, &self.released)
+        let linearised = self.equilibrium.linearised();
+        Rates::new(system, linearised, found, &self.released, &self.positions)
+    }
+
+    /// What sensitivities need of the state: of the equilibrium, or of the position where there are no
+    /// forces.
+    pub(super) fn vary(&mut self) -> Result<Parts<'_>, VaryError> {
+        if self.loaded && !self.found {
+            return Err(VaryError::NoEquilibrium);
+        }
+        let Self { system, equilibrium, positions, sensitivity, .. } = self;
+        let sensitivity = sensitivity.get_or_insert_with(|| {
+            let bodies = system.mechanism().bodies();
+            let origins = bodies.iter().map(|body| body.origin).collect();
+            Box::new(Sensitivity::new(system.expansion(), origins))
+        });
+        // The half that is not asked lends what both have.
+        Ok(if self.loaded {
+            let (expansion, bodies) = (system.expansion(), system.mechanism().bodies());
+            let frame = equilibrium.linearised().into_frame()?;
+            Parts { frame, expansion, bodies, positions, sensitivity }
+        } else {
+            let (expansion, bodies) = (equilibrium.expansion(), equilibrium.mechanism().bodies());
+            Parts { frame: system.frame()?, expansion, bodies, positions, sensitivity }
+        })
+    }
+
+    /// The state.
+    pub(super) fn view(&self) -> View<'_, f64> {
+        View::of(&self.equilibrium, &self.positions)
     }
 
     /// The channels of bodies alone: positions and rotations.

@@ -5,14 +5,16 @@ use super::line::{Line, Wheel};
 use super::pose::{Design, Motion, Motions, Pose, TyreState, WheelLoad};
 use super::rates::Rates;
 use super::stand::Stand;
-use crate::mechanism::{BodyId, DriverId, ForceId, Law, Mechanism, PointId};
+use super::view::View;
+use crate::mechanism::{BodyId, Direction, DriverId, DriverSlots, ForceId, Law, PointId};
 use crate::model::{
     self, Axes, AxleSuspension, Chassis, Drive, Model, Setup, Side, SteerAxis, StrutLine,
     Suspension, Vehicle, WheelSupport,
 };
-use crate::relation::Coordinates;
-use crate::solve::{FreeMotion, point_position, rotation};
-use crate::vector::{add, dot, norm, sub};
+use crate::relation::BODY_COORDINATES;
+use crate::scalar::{Real, Scalar};
+use crate::solve::{FreeMotion, Twist};
+use crate::vector::{Vector, add, constant, dot, norm, sub};
 
 /// The part of a wheel's velocity that has to be left against the chassis. A chassis that is free on
 /// its slide goes up with the wheel, on a spring whose force stays the same: no motion of the suspension.
@@ -108,24 +110,54 @@ impl Station {
 
     /// Whether a motion moves the wheel, its steer axis or its spring.
     pub fn is_moved(&self, motion: &FreeMotion) -> bool {
-        let axis = self.steer_axis.iter().flat_map(|axis| [axis.lower.1, axis.upper.1]);
-        let struts = self.spring.iter().chain(&self.damper);
-        let struts = struts.flat_map(|strut| strut.ends.map(|(_, body)| body));
-        let mut bodies = axis.chain(struts).chain([self.wheel.body]);
-        bodies.any(|body| motion.bodies.contains(&body))
+        self.ends().any(|(_, body)| motion.bodies.contains(&body))
+    }
+
+    /// Whether the wheel starts from a static state.
+    pub fn is_adjusted(&self) -> bool {
+        self.home.is_some()
+    }
+
+    /// The bodies that poses depend on.
+    pub fn bodies(&self) -> impl Iterator<Item = usize> {
+        self.ends().map(|(_, body)| body.index()).chain([self.chassis.index()])
+    }
+
+    /// The points that poses depend on.
+    pub fn points(&self) -> impl Iterator<Item = usize> {
+        let spin = match self.wheel.spin {
+            Direction::Between(from, to) => Some([from.index(), to.index()]),
+            Direction::Fixed(_) => None,
+        };
+        self.ends().map(|(point, _)| point.index()).chain(spin.into_iter().flatten())
+    }
+
+    /// The parameters that poses depend on.
+    pub fn adjusted_parameters(&self) -> impl Iterator<Item = usize> {
+        self.adjusted.into_iter().flatten().flat_map(|first| first..first + 3)
+    }
+
+    fn ends(&self) -> impl Iterator<Item = (PointId, BodyId)> {
+        let axis = self.steer_axis.iter().flat_map(|axis| [axis.lower, axis.upper]);
+        let struts = self.spring.iter().chain(&self.damper).flat_map(|strut| strut.ends);
+        axis.chain(struts).chain([(self.wheel.center, self.wheel.body)])
     }
 
     /// Where wheel, steer axis and spring are, and what the wheel carries.
     pub fn pose(&self, stand: &Stand) -> Pose<f64> {
-        let force = self.force(stand);
+        self.loaded_pose(&stand.view(), self.force(stand))
+    }
+
+    /// The same of a state on any scalar, with the vertical force on the wheel.
+    pub fn loaded_pose<S: Real>(&self, view: &View<'_, S>, force: Option<S>) -> Pose<S> {
         let load = force.map(|force| WheelLoad { force, rate: None });
         let tyre = force.and_then(|force| self.tyre_under(force));
-        Pose { load, tyre, ..self.pose_at(stand, stand.state()) }
+        Pose { load, tyre, ..self.pose_at(view) }
     }
 
     /// Adds how the parts of a pose move, and how the force on the wheel grows.
-    pub fn move_along(&self, pose: &mut Pose<f64>, rates: &mut Rates<'_>, mechanism: &Mechanism) {
-        pose.motions = self.motions(rates, mechanism);
+    pub fn move_along(&self, pose: &mut Pose<f64>, rates: &mut Rates<'_>) {
+        pose.motions = self.motions_by(|driver| self.motion_by(driver, rates));
         if let Some(load) = &mut pose.load
             && self.is_held()
         {
@@ -139,34 +171,33 @@ impl Station {
     }
 
     /// Where wheel, steer axis and spring are at a state of the mechanism.
-    pub fn pose_at(&self, stand: &Stand, state: &[Coordinates<f64>]) -> Pose<f64> {
+    pub fn pose_at<S: Real>(&self, view: &View<'_, S>) -> Pose<S> {
         let Self { wheel, steer_axis, spring, damper, .. } = self;
-        let mechanism = stand.mechanism();
-        let rotation = rotation(state, wheel.body);
-        let point = |(point, body)| point_position(mechanism, state, body, point);
-        let driven = |driver| stand.driver_value(driver);
-        let design = self.design(mechanism, state);
-        let adjusted = self.adjusted_places(stand);
+        let rotation = view.rotation(wheel.body);
+        let design = self.design(view);
+        let spin = view.direction(wheel.spin);
         let disc = Wheel {
-            center: point((wheel.center, wheel.body)),
-            spin: rotation.map(|row| dot(row, wheel.spin_axis)),
-            radius: wheel.radius,
+            center: view.point((wheel.center, wheel.body)),
+            spin: rotation.map(|row| dot(row, spin)),
+            radius: S::from_f64(wheel.radius),
         };
         Pose {
             travel: match self.support {
-                _ if self.rolls => self.travel_in_body(mechanism, state, &disc),
-                WheelSupport::Held => driven(self.travel),
+                _ if self.rolls => self.travel_in_body(view, &disc),
+                WheelSupport::Held => view.driver(self.travel),
                 WheelSupport::Free => self.driven(&disc)[2] - self.driven(&design.wheel)[2],
             },
-            rack: self.rack.map_or(0.0, driven),
+            rack: self.rack.map_or(S::from_f64(0.0), |rack| view.driver(rack)),
             wheel: disc,
-            rotation: self.home.map_or(rotation, |home| relative(rotation, home.rotation)),
+            rotation: self
+                .home
+                .map_or(rotation, |home| relative(rotation, home.rotation.map(constant))),
             steer_axis: steer_axis.map(|axis| {
-                let ends = [(axis.lower, adjusted[0]), (axis.upper, adjusted[1])];
-                Line::through(ends.map(|(end, adjusted)| place(mechanism, state, end, adjusted)))
+                let ends = [(axis.lower, self.adjusted[0]), (axis.upper, self.adjusted[1])];
+                Line::through(ends.map(|(end, adjusted)| joint_place(view, end, adjusted)))
             }),
-            spring: spring.map(|spring| Line::through(spring.ends.map(point))),
-            damper: damper.map(|damper| Line::through(damper.ends.map(point))),
+            spring: spring.map(|spring| Line::through(spring.ends.map(|end| view.point(end)))),
+            damper: damper.map(|damper| Line::through(damper.ends.map(|end| view.point(end)))),
             design,
             motions: None,
             load: None,
@@ -180,7 +211,7 @@ impl Station {
     }
 
     /// The point of a wheel whose height the driver prescribes.
-    fn driven(&self, wheel: &Wheel<f64>) -> [f64; 3] {
+    fn driven<S: Scalar>(&self, wheel: &Wheel<S>) -> Vector<S> {
         match self.drive {
             Drive::WheelCenter => wheel.center,
             Drive::ContactPatch => wheel.contact_patch(),
@@ -188,45 +219,49 @@ impl Station {
     }
 
     /// How far the wheel has gone up from design in the axes of the chassis, which rolls.
-    fn travel_in_body(
-        &self,
-        mechanism: &Mechanism,
-        state: &[Coordinates<f64>],
-        wheel: &Wheel<f64>,
-    ) -> f64 {
+    fn travel_in_body<S: Real>(&self, view: &View<'_, S>, wheel: &Wheel<S>) -> S {
         let body = self.chassis;
-        let design = self.start(mechanism);
-        let [x, y, z, ..] = state[body.index()];
-        let up = rotation(state, body).map(|row| row[2]);
-        let height = self.driven(&design)[2] - mechanism.bodies()[body.index()].origin[2];
+        let design = self.start(view);
+        let [x, y, z, ..] = view.state[body.index()];
+        let up = view.rotation(body).map(|row| row[2]);
+        let origin = S::from_f64(view.bodies[body.index()].origin[2]);
+        let height = self.driven(&design)[2] - origin;
         dot(up, sub(self.driven(wheel), [x, y, z])) - height
     }
 
     /// The wheel at the design position or in the static state.
-    fn start(&self, mechanism: &Mechanism) -> Wheel<f64> {
-        let center = mechanism.points()[self.wheel.center.index()].position;
+    fn start<S: Real>(&self, view: &View<'_, S>) -> Wheel<S> {
         let Self { wheel, .. } = self;
-        let design = Wheel { center, spin: wheel.spin_axis, radius: wheel.radius };
-        self.home.map_or(design, |home| home.wheel)
+        match self.home {
+            Some(home) => home.wheel.lifted(),
+            None => Wheel {
+                center: view.points[wheel.center.index()],
+                spin: view.direction(wheel.spin),
+                radius: S::from_f64(wheel.radius),
+            },
+        }
     }
 
     /// The design position or the static state, carried up and down with the chassis of a state, but not rolled: angles and
     /// ways are those from the design position in ground axes, as Lotus prints them in roll.
-    fn design(&self, mechanism: &Mechanism, state: &[Coordinates<f64>]) -> Design<f64> {
+    fn design<S: Real>(&self, view: &View<'_, S>) -> Design<S> {
         let Self { spring, damper, chassis, .. } = self;
-        let origin = mechanism.bodies()[chassis.index()].origin;
-        let sunk = state[chassis.index()][2] - origin[2];
-        let carried = |place| add(place, [0.0, 0.0, sunk]);
-        let at = |point: PointId| mechanism.points()[point.index()].position;
+        let zero = S::from_f64(0.0);
+        let origin = S::from_f64(view.bodies[chassis.index()].origin[2]);
+        let sunk = view.state[chassis.index()][2] - origin;
+        let carried = |place| add(place, [zero, zero, sunk]);
+        let at = |point: PointId| view.points[point.index()];
         let line = |strut: &Option<StrutLine>| {
             strut.map(|strut| Line::through(strut.ends.map(|(point, _)| at(point))))
         };
         let (spring, damper) = match self.home {
-            Some(home) => (home.spring, home.damper),
+            Some(home) => {
+                (home.spring.map(|line| line.lifted()), home.damper.map(|line| line.lifted()))
+            }
             None => (line(spring), line(damper)),
         };
-        let wheel = self.start(mechanism);
-        let along = |line: Line<f64>| Line { from: carried(line.from), to: carried(line.to) };
+        let wheel = self.start(view);
+        let along = |line: Line<S>| Line { from: carried(line.from), to: carried(line.to) };
         Design {
             wheel: Wheel { center: carried(wheel.center), ..wheel },
             spring: spring.map(along),
@@ -234,51 +269,58 @@ impl Station {
         }
     }
 
-    /// Where the ends of the steer axis are on their bodies, in body axes, where adjusters move them.
-    fn adjusted_places(&self, stand: &Stand) -> [Option<[f64; 3]>; 2] {
-        let h = stand.equilibrium().parameters();
-        self.adjusted.map(|first| first.map(|first| [h[first], h[first + 1], h[first + 2]]))
+    /// How the parts move with the value of a driver.
+    pub fn motion_by(&self, driver: DriverId, rates: &mut Rates<'_>) -> Option<Motion<f64>> {
+        let tangent = rates.tangent(driver)?.coordinates().to_vec();
+        self.motion(driver, &rates.view(), &tangent, rates.slots())
     }
 
-    /// How the parts move with the drivers, those of other wheels held.
-    fn motions(&self, rates: &mut Rates<'_>, mechanism: &Mechanism) -> Option<Motions<f64>> {
-        let travel = self.motion(self.travel, rates, mechanism)?;
-        let rack = self.rack.and_then(|rack| self.motion(rack, rates, mechanism));
-        let across = self.other_travel.and_then(|other| self.motion(other, rates, mechanism));
+    /// How the parts move with the drivers, those of other wheels held, from the motion by each.
+    pub fn motions_by<S: Real>(
+        &self,
+        mut by: impl FnMut(DriverId) -> Option<Motion<S>>,
+    ) -> Option<Motions<S>> {
+        let travel = by(self.travel)?;
+        let rack = self.rack.and_then(&mut by);
+        let across = self.other_travel.and_then(&mut by);
         Some(Motions { travel, rack, across: across.map(|motion| motion.wheel) })
     }
 
-    /// How the parts move with the value of a driver, relative to the chassis.
-    pub fn motion(
+    /// How the parts move with the value of a driver, relative to the chassis, from the rates of all
+    /// coordinates. A joint whose place is adjusted moves on its body, too.
+    pub fn motion<S: Real>(
         &self,
         driver: DriverId,
-        rates: &mut Rates<'_>,
-        mechanism: &Mechanism,
-    ) -> Option<Motion<f64>> {
-        // A joint whose place is adjusted moves on its body, too.
-        let now = rates.parameters();
-        let adjusted = self.adjusted.map(|first| first.map(|k| [now[k], now[k + 1], now[k + 2]]));
-        let changes = self.adjusted.map(|first| Some(rates.change_of_place(driver, first?)));
-        let tangent = rates.tangent(driver)?;
-        let twist = |body| tangent.twist(body).minus(&tangent.twist(self.chassis));
-        let center = point_position(mechanism, tangent.state(), self.wheel.body, self.wheel.center);
-        let [own, relative] = [tangent.twist(self.wheel.body), twist(self.wheel.body)]
-            .map(|twist| norm(twist.at(center)));
+        view: &View<'_, S>,
+        rates: &[S],
+        slots: &DriverSlots,
+    ) -> Option<Motion<S>> {
+        let places = self.adjusted.map(|first| first.map(|first| slots.rate(driver, first)));
+        let of = |body: BodyId| match body.index().checked_sub(1) {
+            None => Twist { velocity: [S::from_f64(0.0); 3], rotation: [S::from_f64(0.0); 3] },
+            Some(moving) => {
+                let first = BODY_COORDINATES * moving;
+                Twist::new(&view.state[body.index()], &rates[first..first + BODY_COORDINATES])
+            }
+        };
+        let chassis = of(self.chassis);
+        let twist = |body| of(body).minus(&chassis);
+        let center = view.point((self.wheel.center, self.wheel.body));
+        let [own, relative] = [of(self.wheel.body), twist(self.wheel.body)]
+            .map(|twist| norm(twist.at(center).map(Real::value)));
         if relative < CARRIED * own {
             return None;
         }
-        let velocity = |(point, body): (PointId, BodyId)| {
-            twist(body).at(point_position(mechanism, tangent.state(), body, point))
-        };
+        let velocity = |(point, body): (PointId, BodyId)| twist(body).at(view.point((point, body)));
         Some(Motion {
             wheel: twist(self.wheel.body),
             steer_axis: self.steer_axis.map(|axis| {
-                let ends =
-                    [(axis.lower, adjusted[0], changes[0]), (axis.upper, adjusted[1], changes[1])];
+                let [first, second] = self.adjusted;
+                let ends = [(axis.lower, first, places[0]), (axis.upper, second, places[1])];
                 Line::through(ends.map(|(end, adjusted, rate)| {
-                    let place = place(mechanism, tangent.state(), end, adjusted);
-                    let rate = rate.map_or([0.0; 3], |rate| turned(tangent.state(), end.1, rate));
-                    add(twist(end.1).at(place), rate)
+                    let place = joint_place(view, end, adjusted);
+                    let moved = twist(end.1).at(place);
+                    rate.map_or(moved, |rate| add(moved, view.turned(end.1, constant(rate))))
                 }))
             }),
             spring: self.spring.map(|spring| Line::through(spring.ends.map(velocity))),
@@ -287,11 +329,15 @@ impl Station {
     }
 
     /// The tyre under a vertical load.
-    fn tyre_under(&self, load: f64) -> Option<TyreState<f64>> {
+    fn tyre_under<S: Real>(&self, load: S) -> Option<TyreState<S>> {
         let law = self.tyre_law.as_ref()?;
-        let value = law.value_under(-load)?;
+        let value = law.value_under(-load.value())?;
         let rate = law.elastic.at(value).first;
-        (rate > 0.0).then_some(TyreState { rate, deflection: -value })
+        // The force of the law is minus the load, so it says how its value changes with that.
+        let change = S::from_f64(load.value()) - load;
+        let value = S::from_f64(value) + change / S::from_f64(rate);
+        let [_, stiffness] = law.lifted(value);
+        (rate > 0.0).then_some(TyreState { rate: stiffness, deflection: -value })
     }
 
     /// The vertical force on the wheel.
@@ -306,26 +352,19 @@ impl Station {
     }
 }
 
-/// Where a point of a body is; `adjusted` is its place on the body where that is another one.
-fn place(
-    mechanism: &Mechanism,
-    state: &[Coordinates<f64>],
+/// Where a joint is on a body; `adjusted` is the first of the parameters that say where, where adjusters move it.
+fn joint_place<S: Scalar>(
+    view: &View<'_, S>,
     (point, body): (PointId, BodyId),
-    adjusted: Option<[f64; 3]>,
-) -> [f64; 3] {
-    let Some(local) = adjusted else {
-        return point_position(mechanism, state, body, point);
-    };
-    let [x, y, z, ..] = state[body.index()];
-    add([x, y, z], turned(state, body, local))
-}
-
-/// A direction of a body in the axes of the ground.
-fn turned(state: &[Coordinates<f64>], body: BodyId, direction: [f64; 3]) -> [f64; 3] {
-    rotation(state, body).map(|row| dot(row, direction))
+    adjusted: Option<usize>,
+) -> Vector<S> {
+    match adjusted {
+        Some(first) => view.place(body, view.three(first)),
+        None => view.point((point, body)),
+    }
 }
 
 /// The rotation from one orientation to another one: A Bᵀ.
-fn relative(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+fn relative<S: Scalar>(a: [Vector<S>; 3], b: [Vector<S>; 3]) -> [Vector<S>; 3] {
     a.map(|row| b.map(|other| dot(row, other)))
 }

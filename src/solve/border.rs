@@ -50,10 +50,21 @@ impl Border {
     /// # Errors
     /// [`Singular`] where they depend on each other.
     pub fn close(&mut self, linear: &mut dyn LinearSolver) -> Result<(), Singular> {
+        self.close_by(|x| linear.solve_refined(x))
+    }
+
+    /// As [`Self::close`], with whatever replaces b by M⁻¹ b: the transposed system has the same edge.
+    ///
+    /// # Errors
+    /// As for [`Self::close`].
+    pub fn close_by(
+        &mut self,
+        mut solve: impl FnMut(&mut [f64]) -> Result<(), Singular>,
+    ) -> Result<(), Singular> {
         let (size, count) = (self.size, self.count);
         self.responses.copy_from_slice(&self.conditions);
         for k in 0..count {
-            linear.solve_refined(&mut self.responses[k * size..][..size])?;
+            solve(&mut self.responses[k * size..][..size])?;
             self.inverse[k * count + k] = 1.0;
             for row in 0..count {
                 let condition = &self.conditions[row * size..][..size];

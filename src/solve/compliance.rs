@@ -9,6 +9,7 @@ use super::stability::{Softest, softest};
 use super::statics::StaticFailure;
 use crate::mechanism::{BodyId, DriverId, PointId};
 use crate::relation::{BODY_COORDINATES, Coordinates};
+use crate::scalar::Scalar;
 use crate::vector::{Vector, add, cross, dot, scale, sub};
 
 /// Displacement and rotation of one point, and force and moment at it: x, y, z, then about x, y, z.
@@ -136,20 +137,25 @@ impl Linearised<'_> {
 }
 
 /// The first coordinate of a moving body.
-fn coordinates_of(body: BodyId) -> usize {
+pub(super) fn coordinates_of(body: BodyId) -> usize {
     BODY_COORDINATES * (body.index() - 1)
 }
 
 /// The generalized force of a unit force or moment at a place of a body: Q_r = F and
 /// Q_p = 2 Eᵀ (M + (at − r) × F), because ω = 2 E ṗ with E = [−e, e0 I + ẽ].
-fn unit_load(q: &Coordinates<f64>, at: Vector<f64>, component: usize) -> Coordinates<f64> {
-    let mut unit = [0.0; 3];
-    unit[component % 3] = 1.0;
+pub(super) fn unit_load<S: Scalar>(
+    q: &Coordinates<S>,
+    at: Vector<S>,
+    component: usize,
+) -> Coordinates<S> {
+    let zero = [S::from_f64(0.0); 3];
+    let mut unit = zero;
+    unit[component % 3] = S::from_f64(1.0);
     let arm = sub(at, [q[0], q[1], q[2]]);
-    let (force, moment) = if component < 3 { (unit, cross(arm, unit)) } else { ([0.0; 3], unit) };
+    let (force, moment) = if component < 3 { (unit, cross(arm, unit)) } else { (zero, unit) };
     let (e0, e) = (q[3], [q[4], q[5], q[6]]);
     // Eᵀm is −eᵀm, and e0 m − e × m, because ẽᵀ = −ẽ.
-    let turn = scale(2.0, add(scale(e0, moment), cross(moment, e)));
-    let along = -2.0 * dot(e, moment);
+    let turn = scale(S::from_f64(2.0), add(scale(e0, moment), cross(moment, e)));
+    let along = S::from_f64(-2.0) * dot(e, moment);
     [force[0], force[1], force[2], along, turn[0], turn[1], turn[2]]
 }

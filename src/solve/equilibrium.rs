@@ -130,6 +130,11 @@ impl Equilibrium {
         &self.mechanism
     }
 
+    /// The mechanism as relations.
+    pub fn expansion(&self) -> &Expansion {
+        &self.expansion
+    }
+
     /// The generalized load: seven entries for each moving body, work-conjugate to its coordinates.
     pub fn load_mut(&mut self) -> &mut [f64] {
         &mut self.problem.load
@@ -193,6 +198,11 @@ impl Equilibrium {
     /// The value (m or rad, from the design position) that a driver has.
     pub fn driver_value(&self, driver: DriverId) -> f64 {
         self.driver_values[driver.index()]
+    }
+
+    /// The values (m or rad, from the design position) of all drivers.
+    pub fn driver_values(&self) -> &[f64] {
+        &self.driver_values
     }
 
     /// Sets the value (m or rad, from the design position) of a driver for the next solution.

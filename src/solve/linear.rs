@@ -33,7 +33,7 @@ pub trait LinearSolver: Send {
     /// As for [`Self::solve`].
     fn solve_refined(&mut self, right_side: &mut [f64]) -> Result<(), Singular>;
 
-    /// Replaces b by the solution of Aᵀ x = b.
+    /// Replaces b by the solution of Aᵀ x = b, refined as by [`Self::solve_refined`].
     ///
     /// # Errors
     /// As for [`Self::solve`].
@@ -196,7 +196,8 @@ impl<F: Factors> LinearSolver for Checked<F> {
     }
 
     fn solve_transposed(&mut self, right_side: &mut [f64]) -> Result<(), Singular> {
-        self.solve_either(right_side, true)
+        self.solve_either(right_side, true)?;
+        self.refine(right_side, true)
     }
 
     fn determinant_sign(&self) -> f64 {

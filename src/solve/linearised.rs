@@ -5,6 +5,7 @@ use super::border::Border;
 use super::equilibrium::Equilibrium;
 use super::linear::Singular;
 use super::newton::Equations as _;
+use super::sensitivity::Frame;
 use super::tangent::Tangent;
 use crate::assembly::Numbering;
 use crate::mechanism::{DriverId, Owner};
@@ -130,6 +131,26 @@ impl<'a> Linearised<'a> {
     pub fn driver_rate(&mut self, driver: DriverId) -> Result<f64, Singular> {
         let equation = self.equilibrium.equation_of(driver);
         Ok(-self.tangent(driver)?.multiplier(equation))
+    }
+
+    /// The state with its factorised matrix, for sensitivities.
+    ///
+    /// # Errors
+    /// [`Singular`] where the solution is not isolated.
+    pub fn into_frame(mut self) -> Result<Frame<'a>, Singular> {
+        self.factorise()?;
+        let Equilibrium { problem, linear, expansion, .. } = self.equilibrium;
+        Ok(Frame {
+            linear: linear.as_mut(),
+            size: problem.kkt.pattern().rows(),
+            first: problem.numbering.unknowns(),
+            numbering: &problem.numbering,
+            state: &problem.state,
+            h: &problem.h,
+            balance: Some((&problem.lambda, problem.kkt.elements())),
+            slots: expansion.driver_slots(),
+            equations: expansion.equation_count(),
+        })
     }
 
     /// Fills the matrix and factorises it, once.

@@ -15,6 +15,7 @@
 //! | `border` | a factorised matrix with conditions added: drivers let go and held |
 //! | `stability` | the stiffness against the motions that joints allow |
 //! | `compliance` | how points give way to loads |
+//! | `sensitivity` | how a state and its tangents change with parameters |
 //! | `dynamics` | motion in time |
 //! | `wrench` | reactions of joints and forces of elements |
 //! | `motion`, `tangent` | how bodies move; per unit of a driver |
@@ -36,6 +37,7 @@ mod motion;
 pub mod newton;
 mod position;
 mod rank;
+pub mod sensitivity;
 mod sparse_lu;
 mod stability;
 mod statics;

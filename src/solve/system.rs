@@ -7,6 +7,7 @@ use super::linear::Singular;
 use super::motion;
 use super::position::{Position, Scales};
 use super::rank::{scaled_jacobian, select};
+use super::sensitivity::Frame;
 use super::stop::{Stop, StopReason};
 use super::tangent::Tangent;
 use super::travel::{Failure, Travel};
@@ -205,6 +206,27 @@ impl System {
     pub fn tangent(&mut self, driver: DriverId) -> Result<Tangent<'_>, Singular> {
         let rates = self.travel.driver_tangent(&mut self.position, driver)?;
         Ok(Tangent::new(&self.position.state, rates))
+    }
+
+    /// The current state with its factorised matrix, for sensitivities of the position alone.
+    ///
+    /// # Errors
+    /// [`Singular`] where the mechanism is in a dead centre.
+    pub fn frame(&mut self) -> Result<Frame<'_>, Singular> {
+        let Self { travel, position, expansion, .. } = self;
+        let linear = travel.factorised_here(position)?;
+        let position = &*position;
+        Ok(Frame {
+            linear,
+            size: position.size(),
+            first: position.size() - position.kept().len(),
+            numbering: position.numbering(),
+            state: &position.state,
+            h: &position.h,
+            balance: None,
+            slots: expansion.driver_slots(),
+            equations: expansion.equation_count(),
+        })
     }
 
     /// Returns to where all drivers are at zero: the design position, or the state that

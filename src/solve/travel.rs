@@ -235,13 +235,22 @@ impl Travel {
         position: &mut Position,
         driver: DriverId,
     ) -> Result<&[f64], Singular> {
-        if self.factorised != Factorised::Here {
-            self.factorise(position)?;
-        }
+        self.factorised_here(position)?;
         self.dh.fill(0.0);
         self.slots.add([(driver, 1.0)], &mut self.dh);
         position.tangent(self.linear.as_mut(), &self.dh, &mut self.next_tangent)?;
         Ok(&self.next_tangent[..position.unknowns()])
+    }
+
+    /// The solver with the matrix of the current state.
+    pub fn factorised_here(
+        &mut self,
+        position: &mut Position,
+    ) -> Result<&mut dyn LinearSolver, Singular> {
+        if self.factorised != Factorised::Here {
+            self.factorise(position)?;
+        }
+        Ok(self.linear.as_mut())
     }
 
     fn factorise(&mut self, position: &mut Position) -> Result<(), Singular> {

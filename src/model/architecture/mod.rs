@@ -159,6 +159,11 @@ impl Architecture {
         &self.bodies
     }
 
+    /// The wheel centre.
+    pub fn wheel_center(&self) -> PointId {
+        self.wheel.center
+    }
+
     /// Whether the two sides are one mechanism, such as a beam axle: there is no corner to look at alone.
     pub fn is_axle(&self) -> bool {
         self.is_axle

@@ -10,7 +10,7 @@ use super::super::stand::Stand;
 use super::super::station::Station;
 use super::error::{AdjustError, OutOfReach};
 use crate::factors::{self, Convention, Factor, Need};
-use crate::mechanism::{DriverId, Mechanism};
+use crate::mechanism::DriverId;
 use crate::model::{Adjuster, Model, Quantity, StaticTarget};
 use crate::solve::Stop;
 
@@ -49,7 +49,6 @@ struct Goal {
 /// Adjusters on the way to the static state.
 pub(super) struct Search<'a> {
     stand: Stand,
-    mechanism: Mechanism,
     wheels: Vec<Adjustable<'a>>,
     goals: Vec<Goal>,
     /// The values (m) of all adjusters of each wheel.
@@ -71,14 +70,13 @@ impl<'a> Search<'a> {
             .iter()
             .map(|part| part.model.adjusters().iter().map(setting).collect())
             .collect();
-        let mechanism = stand.mechanism().clone();
-        Self { stand, mechanism, wheels, goals, values }
+        Self { stand, wheels, goals, values }
     }
 
     /// The values (m) of the adjusters of a wheel, and where it is.
     pub fn wheel(&self, wheel: usize) -> (&[f64], Pose<f64>) {
         let station = &self.wheels[wheel].station;
-        (&self.values[wheel], station.pose_at(&self.stand, self.stand.state()))
+        (&self.values[wheel], station.pose_at(&self.stand.view()))
     }
 
     /// Brings all factors to their targets.
@@ -186,7 +184,7 @@ impl<'a> Search<'a> {
                 let pose = &poses[goal.wheel];
                 let mut rates = self.stand.rates();
                 let load_rate = rates.force_rate(station.travel, driver);
-                let motion = station.motion(driver, &mut rates, &self.mechanism);
+                let motion = station.motion_by(driver, &mut rates);
                 let moving = motion.map(|motion| pose.moving(&motion, load_rate));
                 let value = moving.and_then(|pose| (goal.factor.value.dual)(&pose));
                 jacobian[(row, column)] = value.map_or(0.0, |value| value.derivative);

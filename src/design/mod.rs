@@ -1,0 +1,7 @@
+//! Design: how factors change with hard points and other parameters, and which of these give wanted factors.
+
+pub mod parameter;
+pub mod sensitivity;
+
+pub use parameter::{Parameter, UnknownParameter};
+pub use sensitivity::{Sensitivities, SensitivityFailure, Way, sensitivities};

@@ -1,0 +1,165 @@
+//! Derivatives of factors by parameters of the model.
+
+use thiserror::Error;
+
+use super::parameter::{Parameter, Resolved};
+use crate::assembly::ElementConstant;
+use crate::factors::{Convention, Factor, Need};
+use crate::model::{Model, Side};
+use crate::rig::{Pose, Variable, VaryError};
+use crate::scalar::Dual;
+use crate::solve::sensitivity::{Change, SensitivityError};
+
+/// Which way derivatives are found. Both give the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Way {
+    /// The cheaper one.
+    #[default]
+    Automatic,
+    /// From each parameter to all factors.
+    Direct,
+    /// From each factor to all parameters.
+    Adjoint,
+}
+
+/// The derivatives at one state.
+#[derive(Clone)]
+pub struct Sensitivities {
+    /// One row for each factor of each wheel; a factor of an axle has one.
+    pub rows: Vec<Sensitivity>,
+    /// The parameters by which there is no derivative, with the reason; their entries are empty.
+    pub refused: Vec<(String, String)>,
+}
+
+/// A factor of a wheel with its derivatives.
+#[derive(Clone)]
+pub struct Sensitivity {
+    /// The factor.
+    pub factor: &'static Factor,
+    /// The wheel; of a factor of an axle the first.
+    pub side: Side,
+    /// The value (SI); `None` where it is not defined.
+    pub value: Option<f64>,
+    /// The derivatives (SI), in the order of the parameters.
+    pub by: Vec<Option<f64>>,
+}
+
+/// Why there are no derivatives.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum SensitivityFailure {
+    /// The state does not say.
+    #[error(transparent)]
+    State(#[from] VaryError),
+}
+
+/// The derivatives of factors by parameters at the state of a corner or an axle.
+///
+/// # Errors
+/// [`SensitivityFailure`] where the state has no derivatives at all.
+pub fn sensitivities(
+    specimen: &mut impl Variable,
+    model: &Model,
+    factors: &[&'static Factor],
+    convention: Convention,
+    parameters: &[Parameter],
+    way: Way,
+) -> Result<Sensitivities, SensitivityFailure> {
+    let compliance = factors.iter().any(|factor| factor.needs.contains(&Need::Compliance));
+    specimen.measure_compliance(compliance);
+    let poses = specimen.poses();
+    let compliance = poses.iter().any(|pose| pose.compliance.is_some());
+    let resolved: Vec<Resolved> = parameters.iter().map(|p| p.resolve(specimen)).collect();
+    let mut constants: Vec<ElementConstant> = vec![];
+    for resolved in &resolved {
+        if let Resolved::Constants(own) = resolved {
+            constants.extend(own);
+        }
+    }
+    let mut rows = rows(&poses, factors, convention);
+    let redundant = !specimen.stand().freedom().redundant.is_empty();
+    let labels = specimen.stand().system().expansion().clone();
+    let mut varied = specimen.vary(&constants, compliance)?;
+    let changes: Vec<Change> = parameters
+        .iter()
+        .zip(&resolved)
+        .map(|(parameter, resolved)| resolved.change(parameter, model, &varied, &constants))
+        .collect();
+    let adjoint = match way {
+        // What redundant equations say to a change is known the direct way only.
+        _ if redundant => false,
+        Way::Automatic => rows.len() < parameters.len(),
+        Way::Direct => false,
+        Way::Adjoint => true,
+    };
+    let mut refused = vec![];
+    if adjoint {
+        let derivatives = |poses: &[Pose<Dual>]| -> Vec<f64> {
+            let by = |row: &Row| row.dual(convention, poses).map_or(0.0, |dual| dual.derivative);
+            rows.iter().map(by).collect()
+        };
+        match varied.gradients(rows.len(), derivatives) {
+            Ok(gradients) => {
+                for (row, gradient) in rows.iter_mut().zip(&gradients) {
+                    row.result.by = changes.iter().map(|c| Some(gradient.dot(c))).collect();
+                }
+            }
+            Err(_) => return Err(VaryError::Singular.into()),
+        }
+    } else {
+        for (parameter, change) in parameters.iter().zip(&changes) {
+            match varied.poses(change) {
+                Ok(poses) => {
+                    for row in &mut rows {
+                        let dual = row.dual(convention, &poses);
+                        row.result.by.push(dual.map(|dual| dual.derivative));
+                    }
+                }
+                Err(error) => {
+                    rows.iter_mut().for_each(|row| row.result.by.push(None));
+                    let reason = match error {
+                        SensitivityError::Singular(error) => error.to_string(),
+                        SensitivityError::Redundant { equation } => format!(
+                            "it breaks an equation that is redundant in this mechanism: {}",
+                            labels.label(equation)
+                        ),
+                    };
+                    refused.push((parameter.name.clone(), reason));
+                }
+            }
+        }
+    }
+    let rows = rows.into_iter().map(Row::finish).collect();
+    Ok(Sensitivities { rows, refused })
+}
+
+/// A row on its way.
+struct Row {
+    wheel: usize,
+    result: Sensitivity,
+}
+
+fn rows(poses: &[Pose<f64>], factors: &[&'static Factor], convention: Convention) -> Vec<Row> {
+    let mut rows = vec![];
+    for factor in factors {
+        let wheels = if factor.is_of_axle() { &poses[..1] } else { poses };
+        for (wheel, pose) in wheels.iter().enumerate() {
+            let value = factor.value(convention, pose);
+            let result = Sensitivity { factor, side: pose.side, value, by: vec![] };
+            rows.push(Row { wheel, result });
+        }
+    }
+    rows
+}
+
+impl Row {
+    fn dual(&self, convention: Convention, poses: &[Pose<Dual>]) -> Option<Dual> {
+        (self.result.factor.by(convention).value.dual)(&poses[self.wheel])
+    }
+
+    /// A factor without a value has no derivatives.
+    fn finish(self) -> Sensitivity {
+        let defined = self.result.value.is_some();
+        let by = self.result.by.into_iter().map(|by| by.filter(|by| defined && by.is_finite()));
+        Sensitivity { by: by.collect(), ..self.result }
+    }
+}

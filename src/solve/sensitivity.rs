@@ -1,0 +1,458 @@
+//! How a state and its tangents change with parameters: the implicit function theorem, once for the state
+//! and once more for each tangent, all on one factorisation.
+//!
+//! With M the factorised matrix, x = (q, λ) and H = G_h, a change dh of parameters moves the state by
+//! x_d = −M⁻¹ H dh. A tangent x_k solves M x_k = b_k, so it changes by
+//! −M⁻¹ (M_d x_k − b_d), where M_d x_k is found on dual numbers along x_k: see
+//! [`Variation`](crate::assembly::Variation). Direct solutions go from one parameter to all results,
+//! adjoint ones from one result to all parameters.
+
+use super::border::Border;
+use super::compliance::{WRENCH, coordinates_of, unit_load};
+use super::linear::{LinearSolver, Singular};
+use crate::assembly::{
+    Along, Derivatives, ElementConstant, Elements, GROUND, Numbering, Rows, Variation,
+};
+use crate::mechanism::{BodyId, DriverId, DriverSlots, Expansion, PointId};
+use crate::relation::{BODY_COORDINATES, Coordinates};
+use crate::scalar::{Dual, Scalar as _};
+use crate::vector::{Vector, add, rotate, sub};
+
+/// A state with its factorised matrix.
+pub struct Frame<'a> {
+    pub(super) linear: &'a mut dyn LinearSolver,
+    /// The size of the matrix.
+    pub(super) size: usize,
+    pub(super) numbering: &'a Numbering,
+    /// The row of the first kept equation.
+    pub(super) first: usize,
+    /// Coordinates of all bodies, the ground first.
+    pub(super) state: &'a [Coordinates<f64>],
+    /// Parameters with the values of drivers.
+    pub(super) h: &'a [f64],
+    /// Multipliers of all equations and force elements, where forces are in balance.
+    pub(super) balance: Option<(&'a [f64], &'a Elements)>,
+    pub(super) slots: &'a DriverSlots,
+    pub(super) equations: usize,
+}
+
+/// What is wanted of a state.
+#[derive(Clone, Debug, Default)]
+pub struct Question {
+    /// The drivers whose tangents are wanted.
+    pub drivers: Vec<DriverId>,
+    /// The points whose compliance is wanted, each on its body.
+    pub points: Vec<(BodyId, PointId)>,
+    /// The equations of drivers that let go in the compliance.
+    pub let_go: Vec<usize>,
+    /// The constants of laws that are varied.
+    pub constants: Vec<ElementConstant>,
+}
+
+/// A change of what a state depends on.
+#[derive(Clone, Debug, Default)]
+pub struct Change {
+    /// Of the parameters h.
+    pub h: Vec<f64>,
+    /// Of the constants in the question.
+    pub constants: Vec<f64>,
+    /// Of the design positions of points (m).
+    pub points: Vec<Vector<f64>>,
+}
+
+impl Change {
+    /// The sum of the products of all entries.
+    pub fn dot(&self, other: &Self) -> f64 {
+        let sum = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+        let points = sum(self.points.as_flattened(), other.points.as_flattened());
+        sum(&self.h, &other.h) + sum(&self.constants, &other.constants) + points
+    }
+}
+
+/// A state with tangents and compliance, each with its derivative along a change.
+#[derive(Clone, Debug)]
+pub struct Response {
+    /// Coordinates of all bodies, the ground first.
+    pub state: Vec<Coordinates<Dual>>,
+    /// Multipliers of all equations; empty where forces are not in balance.
+    pub lambda: Vec<Dual>,
+    /// Parameters.
+    pub h: Vec<Dual>,
+    /// Design positions of all points (m).
+    pub points: Vec<Vector<Dual>>,
+    /// The tangents by the drivers of the question, then those by unit loads: coordinates, then multipliers of
+    /// kept equations.
+    pub tangents: Vec<Vec<Dual>>,
+}
+
+/// Derivatives of one result by all that [`Response`] has, its derivatives being one at a time.
+#[derive(Clone, Debug, Default)]
+pub struct Gradient {
+    /// By coordinates, then by multipliers of kept equations.
+    pub unknowns: Vec<f64>,
+    /// By the entries of each tangent.
+    pub tangents: Vec<Vec<f64>>,
+    /// By parameters and points directly.
+    pub direct: Change,
+}
+
+/// The tangents at a state, and all that their derivatives need.
+pub struct Sensitivity {
+    variation: Variation,
+    question: Question,
+    origins: Vec<[f64; 3]>,
+    positions: Vec<Vector<f64>>,
+    values: Derivatives,
+    unused: Derivatives,
+    tangents: Vec<Solved>,
+    let_go: Border,
+    let_go_transposed: Border,
+    excess: Vec<f64>,
+    at: Dualised,
+}
+
+#[derive(Default)]
+struct Solved {
+    x: Vec<f64>,
+    cause: Cause,
+    changes: Derivatives,
+}
+
+#[derive(Clone, Copy, Default)]
+enum Cause {
+    #[default]
+    Driver,
+    /// A unit force or moment at a point of the question.
+    Load { point: usize, component: usize },
+}
+
+/// A state on dual numbers.
+#[derive(Default)]
+struct Dualised {
+    state: Vec<Coordinates<Dual>>,
+    lambda: Vec<Dual>,
+    h: Vec<Dual>,
+}
+
+impl Frame<'_> {
+    /// The size of the matrix.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// The number of coordinates, which are the first unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.numbering.unknowns()
+    }
+
+    /// The place of the multiplier of an equation among the unknowns, where it is one of them.
+    pub fn multiplier(&self, equation: usize) -> Option<usize> {
+        self.balance?;
+        self.numbering.row(equation).map(|row| self.numbering.unknowns() + row)
+    }
+
+    fn rows(&self) -> Rows<'_> {
+        Rows { numbering: self.numbering, first: self.first, forces: self.balance.is_some() }
+    }
+
+    /// The state with rates of coordinates and multipliers, and of parameters.
+    fn along(&self, x: &[f64], dh: &[f64], at: &mut Dualised) {
+        let unknowns = self.numbering.unknowns();
+        at.state.clear();
+        at.state.push(GROUND.map(Dual::from_f64));
+        let bodies = self.state.iter().skip(1).zip(x[..unknowns].chunks_exact(BODY_COORDINATES));
+        at.state.extend(bodies.map(|(q, rate)| std::array::from_fn(|k| Dual::new(q[k], rate[k]))));
+        at.lambda.clear();
+        if let Some((lambda, _)) = self.balance {
+            at.lambda.extend(lambda.iter().map(|&lambda| Dual::from_f64(lambda)));
+            for (&equation, &rate) in self.numbering.kept().iter().zip(&x[unknowns..]) {
+                at.lambda[equation].derivative = rate;
+            }
+        }
+        at.h.clear();
+        at.h.extend(self.h.iter().zip(dh).map(|(&h, &dh)| Dual::new(h, dh)));
+    }
+}
+
+impl Sensitivity {
+    /// Prepares for the states of a mechanism. `origins` are those of the frames of its bodies.
+    pub fn new(expansion: &Expansion, origins: Vec<[f64; 3]>) -> Self {
+        Self {
+            variation: Variation::new(expansion),
+            question: Question::default(),
+            origins,
+            positions: vec![],
+            values: Derivatives::default(),
+            unused: Derivatives::default(),
+            tangents: vec![],
+            let_go: Border::default(),
+            let_go_transposed: Border::default(),
+            excess: vec![],
+            at: Dualised::default(),
+        }
+    }
+
+    /// What is known of the state.
+    pub fn question(&self) -> &Question {
+        &self.question
+    }
+
+    /// Finds the tangents that a question is about at a state. `positions` are the design positions of points.
+    ///
+    /// # Errors
+    /// [`Singular`] in a dead centre, and where nothing holds what drivers let go.
+    pub fn ask(
+        &mut self,
+        frame: &mut Frame<'_>,
+        question: &Question,
+        positions: &[Vector<f64>],
+    ) -> Result<(), Singular> {
+        self.question.clone_from(question);
+        self.positions.clear();
+        self.positions.extend_from_slice(positions);
+        let count = question.drivers.len() + WRENCH * question.points.len();
+        self.tangents.resize_with(count, Solved::default);
+        let mut dh = vec![0.0; frame.h.len()];
+        frame.along(&vec![0.0; frame.size], &dh, &mut self.at);
+        self.evaluate(frame, None);
+        self.open(frame)?;
+        for (k, &driver) in question.drivers.iter().enumerate() {
+            dh.fill(0.0);
+            frame.slots.add([(driver, 1.0)], &mut dh);
+            let mut x = vec![0.0; frame.size];
+            self.values.by_parameter.add_product(-1.0, &dh, &mut x);
+            frame.linear.solve_refined(&mut x)?;
+            frame.along(&x, &dh, &mut self.at);
+            self.tangents[k].x = x;
+            self.tangents[k].cause = Cause::Driver;
+            self.evaluate(frame, Some(k));
+        }
+        dh.fill(0.0);
+        for load in 0..WRENCH * question.points.len() {
+            let k = question.drivers.len() + load;
+            let (point, component) = (load / WRENCH, load % WRENCH);
+            let mut x = vec![0.0; frame.size];
+            let (body, at) = self.loaded_point(point);
+            let q = frame.state[body.index()];
+            let place = add([q[0], q[1], q[2]], rotate([q[3], q[4], q[5], q[6]], at));
+            let first = coordinates_of(body);
+            let force = unit_load(&q, place, component);
+            x[first..first + BODY_COORDINATES].copy_from_slice(&force);
+            frame.linear.solve_refined(&mut x)?;
+            self.let_go.keep(&mut x, &mut self.excess);
+            frame.along(&x, &dh, &mut self.at);
+            self.tangents[k].x = x;
+            self.tangents[k].cause = Cause::Load { point, component };
+            self.evaluate(frame, Some(k));
+        }
+        Ok(())
+    }
+
+    /// The body of a loaded point, and the place of the point on it.
+    fn loaded_point(&self, point: usize) -> (BodyId, Vector<f64>) {
+        let (body, point) = self.question.points[point];
+        (body, sub(self.positions[point.index()], self.origins[body.index()]))
+    }
+
+    /// The derivatives of the equations, and their changes along a tangent.
+    fn evaluate(&mut self, frame: &Frame<'_>, tangent: Option<usize>) {
+        let Self { variation, question, values, unused, tangents, at, .. } = self;
+        let along = Along { state: &at.state, lambda: &at.lambda, h: &at.h };
+        let none = Elements::none();
+        let elements = frame.balance.map_or(&none, |(_, elements)| elements);
+        let (values, changes) = match tangent {
+            None => (values, unused),
+            Some(k) => (unused, &mut tangents[k].changes),
+        };
+        variation.evaluate(along, frame.rows(), elements, &question.constants, values, changes);
+    }
+
+    /// Finds what lets drivers go, in solutions and in transposed ones.
+    fn open(&mut self, frame: &mut Frame<'_>) -> Result<(), Singular> {
+        let unknowns = frame.numbering.unknowns();
+        let let_go = &self.question.let_go;
+        let rows: Vec<usize> = let_go.iter().filter_map(|&e| frame.numbering.row(e)).collect();
+        self.excess.clear();
+        self.excess.resize(rows.len(), 0.0);
+        for border in [&mut self.let_go, &mut self.let_go_transposed] {
+            border.begin(frame.size, rows.len());
+            for (k, row) in rows.iter().enumerate() {
+                border.condition_mut(k)[unknowns + row] = 1.0;
+            }
+        }
+        self.let_go.close(frame.linear)?;
+        self.let_go_transposed.close_by(|x| frame.linear.solve_transposed(x))
+    }
+
+    /// How the state and the tangents change, the direct way.
+    ///
+    /// # Errors
+    /// [`SensitivityError::Redundant`] where redundant equations would not go with the change.
+    pub fn response(
+        &mut self,
+        frame: &mut Frame<'_>,
+        change: &Change,
+    ) -> Result<Response, SensitivityError> {
+        let mut x = vec![0.0; frame.size];
+        self.values.by_parameter.add_product(-1.0, &change.h, &mut x);
+        self.values.by_constant.add_product(-1.0, &change.constants, &mut x);
+        frame.linear.solve_refined(&mut x)?;
+        self.check_left_out(frame, &x, change)?;
+        frame.along(&x, &change.h, &mut self.at);
+        let state = std::mem::take(&mut self.at.state);
+        let mut tangents = Vec::with_capacity(self.tangents.len());
+        for tangent in &self.tangents {
+            let mut rate = vec![0.0; frame.size];
+            tangent.changes.by_unknown.add_product(-1.0, &x, &mut rate);
+            tangent.changes.by_parameter.add_product(-1.0, &change.h, &mut rate);
+            tangent.changes.by_constant.add_product(-1.0, &change.constants, &mut rate);
+            if let Cause::Load { point, component } = tangent.cause {
+                let (body, at) = self.loaded_point(point);
+                let (_, index) = self.question.points[point];
+                let moved = change.points.get(index.index()).copied().unwrap_or([0.0; 3]);
+                let at = std::array::from_fn(|k| Dual::new(at[k], moved[k]));
+                let force = moved_load(&state[body.index()], at, component);
+                let first = coordinates_of(body);
+                for (rate, force) in rate[first..].iter_mut().zip(force) {
+                    *rate += force.derivative;
+                }
+            }
+            frame.linear.solve_refined(&mut rate)?;
+            if let Cause::Load { .. } = tangent.cause {
+                self.let_go.keep(&mut rate, &mut self.excess);
+            }
+            tangents.push(tangent.x.iter().zip(rate).map(|(&x, r)| Dual::new(x, r)).collect());
+        }
+        let points = self.positions.iter().enumerate().map(|(k, position)| {
+            let moved = change.points.get(k).copied().unwrap_or([0.0; 3]);
+            std::array::from_fn(|axis| Dual::new(position[axis], moved[axis]))
+        });
+        Ok(Response {
+            state,
+            lambda: std::mem::take(&mut self.at.lambda),
+            h: std::mem::take(&mut self.at.h),
+            points: points.collect(),
+            tangents,
+        })
+    }
+
+    /// The state and the tangents without any change, to give single entries derivatives.
+    pub fn still(&mut self, frame: &Frame<'_>) -> Response {
+        frame.along(&vec![0.0; frame.size], &vec![0.0; frame.h.len()], &mut self.at);
+        let still = |x: &f64| Dual::from_f64(*x);
+        Response {
+            state: std::mem::take(&mut self.at.state),
+            lambda: std::mem::take(&mut self.at.lambda),
+            h: std::mem::take(&mut self.at.h),
+            points: self.positions.iter().map(|p| p.map(Dual::from_f64)).collect(),
+            tangents: self.tangents.iter().map(|t| t.x.iter().map(still).collect()).collect(),
+        }
+    }
+
+    /// The derivatives of a result by parameters, constants and points, the adjoint way, from those by state and
+    /// tangents.
+    ///
+    /// # Errors
+    /// [`Singular`].
+    pub fn adjoint(
+        &mut self,
+        frame: &mut Frame<'_>,
+        gradient: &Gradient,
+    ) -> Result<Change, Singular> {
+        let mut total = gradient.direct.clone();
+        total.h.resize(frame.h.len(), 0.0);
+        total.constants.resize(self.question.constants.len(), 0.0);
+        total.points.resize(self.positions.len(), [0.0; 3]);
+        let mut state = gradient.unknowns.clone();
+        state.resize(frame.size, 0.0);
+        for (tangent, by) in self.tangents.iter().zip(&gradient.tangents) {
+            if by.iter().all(|&by| by == 0.0) {
+                continue;
+            }
+            let mut y = by.clone();
+            y.resize(frame.size, 0.0);
+            frame.linear.solve_transposed(&mut y)?;
+            if let Cause::Load { point, component } = tangent.cause {
+                self.let_go_transposed.keep(&mut y, &mut self.excess);
+                self.add_load_gradient(frame, &y, (point, component), &mut state, &mut total);
+            }
+            tangent.changes.by_unknown.add_transposed_product(-1.0, &y, &mut state);
+            tangent.changes.by_parameter.add_transposed_product(-1.0, &y, &mut total.h);
+            tangent.changes.by_constant.add_transposed_product(-1.0, &y, &mut total.constants);
+        }
+        frame.linear.solve_transposed(&mut state)?;
+        self.values.by_parameter.add_transposed_product(-1.0, &state, &mut total.h);
+        self.values.by_constant.add_transposed_product(-1.0, &state, &mut total.constants);
+        Ok(total)
+    }
+
+    /// Adds what a unit load changes by when its body and its point move.
+    fn add_load_gradient(
+        &self,
+        frame: &Frame<'_>,
+        y: &[f64],
+        (point, component): (usize, usize),
+        state: &mut [f64],
+        total: &mut Change,
+    ) {
+        let (body, at) = self.loaded_point(point);
+        let (_, index) = self.question.points[point];
+        let first = coordinates_of(body);
+        let work = |q: &Coordinates<Dual>, at: Vector<Dual>| -> f64 {
+            let force = moved_load(q, at, component);
+            force.iter().zip(&y[first..]).map(|(force, y)| force.derivative * y).sum()
+        };
+        let still = frame.state[body.index()].map(Dual::from_f64);
+        for k in 0..BODY_COORDINATES {
+            let mut q = still;
+            q[k].derivative = 1.0;
+            state[first + k] += work(&q, at.map(Dual::from_f64));
+        }
+        for k in 0..3 {
+            let mut at = at.map(Dual::from_f64);
+            at[k].derivative = 1.0;
+            total.points[index.index()][k] += work(&still, at);
+        }
+    }
+
+    /// Whether the equations that are left out go with a change.
+    fn check_left_out(
+        &self,
+        frame: &Frame<'_>,
+        x: &[f64],
+        change: &Change,
+    ) -> Result<(), SensitivityError> {
+        let mut product = vec![0.0; frame.equations];
+        let mut size = vec![0.0; frame.equations];
+        let Derivatives { left_out_by_unknown, left_out_by_parameter, .. } = &self.values;
+        left_out_by_unknown.add_product(1.0, x, &mut product);
+        left_out_by_parameter.add_product(1.0, &change.h, &mut product);
+        left_out_by_unknown.add_sizes(x, &mut size);
+        left_out_by_parameter.add_sizes(&change.h, &mut size);
+        let broken = (0..frame.equations).find(|&k| product[k].abs() > CONSISTENT * size[k]);
+        broken.map_or(Ok(()), |equation| Err(SensitivityError::Redundant { equation }))
+    }
+}
+
+/// The part of its terms that the change of a left-out equation may have.
+const CONSISTENT: f64 = 1e-7;
+
+/// Why there is no sensitivity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SensitivityError {
+    /// The state has no unique neighbours.
+    #[error(transparent)]
+    Singular(#[from] Singular),
+    /// The equation was left out as redundant, and the change breaks it.
+    #[error("a redundant equation does not go with the change")]
+    Redundant {
+        /// The equation.
+        equation: usize,
+    },
+}
+
+/// A unit load at a place of a body that moves.
+fn moved_load(q: &Coordinates<Dual>, at: Vector<Dual>, component: usize) -> Coordinates<Dual> {
+    let place = add([q[0], q[1], q[2]], rotate([q[3], q[4], q[5], q[6]], at));
+    unit_load(q, place, component)
+}

@@ -1,0 +1,96 @@
+//! Derivatives of factors by parameters of models.
+
+use std::collections::HashMap;
+
+use hardpoint::design::{Parameter, Sensitivities, Way, sensitivities};
+use hardpoint::factors::{Convention, Factor, find};
+use hardpoint::model::{Model, Quantity, Setup};
+use hardpoint::rig::Corner;
+
+const COLUMNS: [(&str, &str); 15] = [
+    ("toe_deg", "toe"),
+    ("camber_deg", "camber"),
+    ("wc_x", "wheel_center_x"),
+    ("wc_y", "wheel_center_y"),
+    ("rc_height", "rc_height"),
+    ("anti_brake_pct", "anti_dive"),
+    ("motion_ratio", "motion_ratio"),
+    ("dtoe_dz_deg_per_m", "bump_steer"),
+    ("dcamber_dz_deg_per_m", "bump_camber"),
+    ("caster_deg", "caster"),
+    ("kpi_deg", "kpi"),
+    ("mech_trail", "mechanical_trail"),
+    ("scrub", "scrub_radius"),
+    ("vk_caster_deg", "vk_caster"),
+    ("vk_kpi_deg", "vk_kpi"),
+];
+
+fn model(name: &str) -> Model {
+    Model::load(format!("models/{name}.toml")).unwrap()
+}
+
+/// The derivatives of the reference: parameter, travel (mm), output, value.
+fn reference() -> Vec<(String, f64, String, f64)> {
+    let text = include_str!("reference/sedan-sensitivities.csv");
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let columns: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let mut list = vec![];
+    for line in lines {
+        let cells: Vec<&str> = line.split(',').collect();
+        let travel = cells[1].parse().unwrap();
+        for (column, cell) in columns.iter().zip(&cells).skip(2) {
+            list.push((cells[0].to_owned(), travel, (*column).to_owned(), cell.parse().unwrap()));
+        }
+    }
+    list
+}
+
+/// A derivative in the unit of the reference.
+fn shown(factor: &Factor, derivative: f64) -> f64 {
+    match factor.quantity {
+        Quantity::Angle | Quantity::Gradient => derivative.to_degrees(),
+        Quantity::Percent => 100.0 * derivative,
+        _ => derivative,
+    }
+}
+
+fn at(corner: &mut Corner, travel: f64, factors: &[&'static Factor], way: Way) -> Sensitivities {
+    let model = model("double-wishbone");
+    let parameters = Parameter::coordinates(&model);
+    corner.move_to(travel, 0.0).unwrap();
+    sensitivities(corner, &model, factors, Convention::Iso, &parameters, way).unwrap()
+}
+
+/// Every output and coordinate of the sedan's reference, central differences of 50-digit kinematics, to
+/// 1e-7 of the value or of a thousandth of the largest one of its column.
+#[test]
+fn sedan_has_the_derivatives_of_independent_kinematics() {
+    let model = model("double-wishbone");
+    let reference = reference();
+    let mut largest: HashMap<&str, f64> = HashMap::new();
+    for (_, _, output, value) in &reference {
+        let entry = largest.entry(output).or_default();
+        *entry = entry.max(value.abs());
+    }
+    let mut corner = Corner::new(&model, &Setup::default()).unwrap();
+    let factors: Vec<&Factor> = COLUMNS.iter().map(|(_, name)| find(name).unwrap()).collect();
+    let parameters = Parameter::coordinates(&model);
+    let mut compared = 0;
+    let travels = [-80.0, 0.0, 80.0];
+    for way in [Way::Direct, Way::Adjoint] {
+        let tables = travels.map(|travel| at(&mut corner, 1e-3 * travel, &factors, way));
+        for (name, travel, output, expected) in &reference {
+            let state = travels.iter().position(|t| t == travel).unwrap();
+            let k = parameters.iter().position(|parameter| parameter.name == *name).unwrap();
+            let j = COLUMNS.iter().position(|(column, _)| column == output).unwrap();
+            let found = shown(factors[j], tables[state].rows[j].by[k].unwrap());
+            let allowed = 1e-7 * expected.abs().max(1e-3 * largest[output.as_str()]);
+            assert!(
+                (found - expected).abs() <= allowed,
+                "{way:?} d{output}/d{name} at {travel} mm: {found} for {expected}"
+            );
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 2 * 99 * 15);
+}
