@@ -1,0 +1,3 @@
+//! Design: which hard points give the factors that a designer wants.
+
+pub mod clearance;
