@@ -1,5 +1,7 @@
 //! What is stated of a factor.
 
+use std::fmt;
+
 use super::convention::Convention;
 use super::need::Need;
 use crate::model::{Axle, Quantity, Units};
@@ -170,6 +172,12 @@ pub struct Factor {
     pub needs: &'static [Need],
     /// The axle that alone has the factor.
     pub axle: Option<Axle>,
+}
+
+impl fmt::Debug for Factor {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Factor").field(&self.name).finish()
+    }
 }
 
 impl Factor {

@@ -64,7 +64,7 @@ impl CaseInput {
     }
 
     /// Whether both say the same of one wheel.
-    pub(super) fn collides(self, other: Self) -> bool {
+    pub(crate) fn collides(self, other: Self) -> bool {
         let wheels = [self.side(), other.side()];
         self.subject() == other.subject() && (wheels[0] == wheels[1] || wheels.contains(&None))
     }

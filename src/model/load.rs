@@ -131,7 +131,7 @@ fn note_mechanism(root: &mut Section, report: &mut Report) {
 }
 
 /// The name and the text of a file.
-pub(super) fn read_file(path: &Path) -> Result<(String, String), ModelDiagnostics> {
+pub(crate) fn read_file(path: &Path) -> Result<(String, String), ModelDiagnostics> {
     let name = path.display().to_string();
     match read_text(path) {
         Ok(text) => Ok((name, text)),
@@ -176,7 +176,7 @@ pub(super) fn architecture(named: &Spanned<String>, report: &mut Report) -> Opti
 }
 
 /// The text of a file, or what is wrong and what to do.
-pub(super) fn read_text(path: &Path) -> Result<String, (String, String)> {
+pub(crate) fn read_text(path: &Path) -> Result<String, (String, String)> {
     let name = path.display();
     if path.is_dir() {
         let message = format!("`{name}` is a folder, not a file");

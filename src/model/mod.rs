@@ -22,7 +22,7 @@ mod mirror;
 mod names;
 mod parts;
 mod quantity;
-mod read;
+pub(crate) mod read;
 mod resolve;
 mod setup;
 pub(crate) mod suggest;
@@ -43,6 +43,7 @@ pub use diagnostics::{Mistake, ModelDiagnostics};
 pub(crate) use diagnostics::{Report, SourceFile};
 pub use fittings::Steering;
 pub use load::Document;
+pub(crate) use load::{read_file, read_text};
 pub use loads::{AntiRollBar, JointBushing, Tyre, TyreContact};
 pub use mechanism_file::MechanismModel;
 pub use parts::Marker;
@@ -254,7 +255,7 @@ fn mean(points: impl ExactSizeIterator<Item = [f64; 3]>) -> Option<[f64; 3]> {
 }
 
 /// The value, if reading it left no mistakes.
-fn finish<T>(value: Option<T>, report: Report) -> Result<T, ModelDiagnostics> {
+pub(crate) fn finish<T>(value: Option<T>, report: Report) -> Result<T, ModelDiagnostics> {
     let name = report.file().name.clone();
     report.finish()?;
     value.ok_or_else(|| {

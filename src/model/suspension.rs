@@ -254,7 +254,7 @@ impl Model {
 
     /// The line of the first spring of the model, or else the one that the architecture knows. `number`
     /// gives the bodies of the architecture their numbers in the mechanism.
-    pub(super) fn spring_line(&self, number: impl Fn(BodyId) -> BodyId) -> Option<StrutLine> {
+    pub(crate) fn spring_line(&self, number: impl Fn(BodyId) -> BodyId) -> Option<StrutLine> {
         // Dampers, actuators and stops lie on lines, too.
         let springs = |law: &Law| law.acts == Acts::Always && law.elastic != Curve::Zero;
         self.strut_line(springs, self.architecture.spring.as_ref(), number)
@@ -262,7 +262,7 @@ impl Model {
 
     /// The line of the first damper of the model, which may be one with its spring, or else the one that
     /// the architecture knows.
-    pub(super) fn damper_line(&self, number: impl Fn(BodyId) -> BodyId) -> Option<StrutLine> {
+    pub(crate) fn damper_line(&self, number: impl Fn(BodyId) -> BodyId) -> Option<StrutLine> {
         let damps = |law: &Law| law.acts == Acts::Always && law.viscous != Curve::Zero;
         self.strut_line(damps, self.architecture.damper.as_ref(), number)
     }

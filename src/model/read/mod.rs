@@ -19,15 +19,24 @@ pub(crate) fn read_file<T>(
     report: &mut Report,
     read: impl FnOnce(&mut Section, &mut Report) -> Option<T>,
 ) -> Option<T> {
+    const START: &str = "start from one of the files in `models/` or `architectures/`";
+    read_file_from(START, file, report, read)
+}
+
+/// As [`read_file`]; `start` says what to do about an empty file.
+pub(crate) fn read_file_from<T>(
+    start: &str,
+    file: &SourceFile,
+    report: &mut Report,
+    read: impl FnOnce(&mut Section, &mut Report) -> Option<T>,
+) -> Option<T> {
     let (table, errors) = DeTable::parse_recoverable(&file.text);
     if !errors.is_empty() {
         note_syntax_errors(file, &errors, report);
         return None;
     }
     if table.get_ref().is_empty() {
-        report
-            .mistake(&(0..0), "the file is empty", "nothing here")
-            .help("start from one of the files in `models/` or `architectures/`");
+        report.mistake(&(0..0), "the file is empty", "nothing here").help(start);
         return None;
     }
     let mut root = Section::new(None, 0..0, table.get_ref());
