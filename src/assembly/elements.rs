@@ -178,6 +178,11 @@ impl Elements {
         self.memory.copy_from_slice(&self.values);
     }
 
+    /// Forgets the accepted state: angles count from the design position again.
+    pub fn forget(&mut self) {
+        self.memory.fill(0.0);
+    }
+
     /// The number of elements.
     pub(super) fn len(&self) -> usize {
         self.list.len()

@@ -5,6 +5,8 @@ pub mod edit;
 pub mod parameter;
 pub mod request;
 pub mod sensitivity;
+pub mod sqp;
+pub mod synthesis;
 
 pub use parameter::{Parameter, UnknownParameter};
 pub use sensitivity::{Sensitivities, SensitivityFailure, Way, sensitivities};

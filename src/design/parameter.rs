@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use super::request::{self, Stiffness};
 use crate::assembly::ElementConstant;
 use crate::mechanism::{
     Acts, Curve, Force, ForceKind, Law, LawConstant, Mechanism, Owner, Reference,
@@ -113,6 +114,46 @@ impl Parameter {
             kind: Kind::Coordinate { point, axis },
         };
         (0..model.points().len()).flat_map(coordinates).map(parameter).collect()
+    }
+
+    /// What a request calls a parameter.
+    pub(super) fn wanted(parameter: request::Parameter, name: &str, model: &Model) -> Self {
+        let law = |force: &Force, part: usize| Kind::Law {
+            force: force.name.clone(),
+            part,
+            constant: LawConstant::Stiffness,
+        };
+        // A bushing has no laws of a kind that are all zero.
+        let component = |force: &Force, component: usize| match &force.kind {
+            ForceKind::Bushing(bushing) if bushing.translation.iter().all(Law::is_zero) => {
+                law(force, component - bushing.translation.len())
+            }
+            _ => law(force, component),
+        };
+        let kind = match parameter {
+            request::Parameter::Coordinate { point, axis } => Kind::Coordinate { point, axis },
+            request::Parameter::Toe => Kind::Toe,
+            request::Parameter::Camber => Kind::Camber,
+            request::Parameter::FreeLength { force } => {
+                Kind::Length { force: model.forces()[force].name.clone() }
+            }
+            request::Parameter::Stiffness(stiffness) => match stiffness {
+                Stiffness::Force { force } => law(&model.forces()[force], 0),
+                Stiffness::BushingForce { force, component: part } => {
+                    component(&model.forces()[force], part)
+                }
+                Stiffness::Bushing { bushing, component: part } => {
+                    component(&model.bushings()[bushing].force, part)
+                }
+                Stiffness::AntiRollBar => Kind::Law {
+                    force: "anti_roll_bar".to_owned(),
+                    part: 0,
+                    constant: LawConstant::Stiffness,
+                },
+            },
+        };
+        let quantity = parameter.quantity(model);
+        Self { name: name.to_owned(), quantity, sign: "", kind }
     }
 
     /// The parameters that a word stands for: one by its full name, or all whose names begin with it and a dot.
@@ -233,6 +274,28 @@ impl Parameter {
     pub fn coordinate(&self, model: &Model) -> Option<f64> {
         let Kind::Coordinate { point, axis } = self.kind else { return None };
         Some(model.axes.from_iso(model.points()[point].position)[axis])
+    }
+
+    /// −1 where the axis of a coordinate points against that of ISO 8855, else 1.
+    pub(super) fn sign_of_iso(&self, model: &Model) -> f64 {
+        match self.kind {
+            Kind::Coordinate { axis, .. } => model.axes.signs()[axis],
+            _ => 1.0,
+        }
+    }
+
+    /// Puts a value (SI, a coordinate along the axis of the model) into a shape.
+    pub(super) fn place(&self, model: &Model, shape: &mut Shape<f64>, value: f64) {
+        match self.kind {
+            Kind::Coordinate { point, axis } => {
+                let mut position = model.axes.from_iso(shape.points[point]);
+                position[axis] = value;
+                shape.points[point] = model.axes.to_iso(position);
+            }
+            Kind::Toe => shape.alignment.toe = value,
+            Kind::Camber => shape.alignment.camber = value,
+            _ => {}
+        }
     }
 
     /// What a derivative of a factor by this parameter is multiplied with to be shown, and its unit.

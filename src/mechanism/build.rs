@@ -207,6 +207,17 @@ impl Mechanism {
         self.points.iter().map(|point| point.position).collect()
     }
 
+    /// Moves all points.
+    ///
+    /// # Panics
+    /// If there are not as many positions as points.
+    pub(crate) fn set_positions(&mut self, positions: &[[f64; 3]]) {
+        assert_eq!(positions.len(), self.points.len(), "each point has a position");
+        for (point, position) in self.points.iter_mut().zip(positions) {
+            point.position = *position;
+        }
+    }
+
     /// The vector of a direction at the design position, not of length one.
     pub(super) fn vector(&self, direction: Direction) -> [f64; 3] {
         match direction {

@@ -159,6 +159,18 @@ impl Law {
         S::from_f64(jet.value) + S::from_f64(jet.first) * change
     }
 
+    /// Gives a constant another value; a stiffness makes a curve that is not a table linear, and multiplies the
+    /// forces of a table.
+    pub fn set_constant(&mut self, constant: LawConstant, value: f64) {
+        match (constant, &mut self.elastic) {
+            (LawConstant::Preload, _) => self.preload = value,
+            (LawConstant::Stiffness, Curve::Table(spline)) => *spline = spline.scaled(value),
+            (LawConstant::Stiffness, curve) => *curve = Curve::Linear(value),
+            (LawConstant::Row(row), Curve::Table(spline)) => *spline = spline.with_row(row, value),
+            (LawConstant::Row(_), _) => {}
+        }
+    }
+
     /// Whether there is never any force.
     pub fn is_zero(&self) -> bool {
         self.elastic.is_zero() && self.viscous.is_zero() && self.preload == 0.0

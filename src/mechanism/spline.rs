@@ -92,6 +92,20 @@ impl Spline {
         self.within(self.points.partition_point(|p| p[0] <= x) - 1, x)
     }
 
+    /// The function times a factor.
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        let points = self.points.iter().map(|&[x, y]| [x, factor * y]).collect();
+        Self::from_parts(points, self.second.iter().map(|second| factor * second).collect())
+    }
+
+    /// The function with another y in a row, numbered from 0.
+    pub(super) fn with_row(&self, row: usize, y: f64) -> Self {
+        let mut points = self.points.clone();
+        points[row][1] = y;
+        let second = second_derivatives(&points);
+        Self::from_parts(points, second)
+    }
+
     /// The derivative of the function by the y of a row, numbered from 0, with its derivatives by x.
     pub(super) fn by_row(&self, row: usize, x: f64) -> Jet {
         let unit = |(k, &[x, _]): (usize, &[f64; 2])| [x, if k == row { 1.0 } else { 0.0 }];

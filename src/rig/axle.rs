@@ -7,7 +7,7 @@ use super::corner::RigError;
 use super::hold::Hold;
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::Pose;
-use super::shape::Origins;
+use super::shape::{Origins, Shape};
 use super::stand::Stand;
 use super::station::Station;
 use super::sweep::Specimen;
@@ -355,6 +355,20 @@ impl Variable for Axle {
 
     fn adjusters(&self, adjuster: usize) -> Vec<DriverId> {
         self.suspension.adjusters.each_ref().map(|side| side[adjuster]).to_vec()
+    }
+
+    fn sides(&self) -> usize {
+        2
+    }
+
+    fn reshape(
+        &mut self,
+        shapes: &[Shape<f64>],
+        constants: &[(ElementConstant, f64)],
+        lengths: &[(usize, f64)],
+    ) -> Result<(), VaryError> {
+        let Self { stations, stand, origins, .. } = self;
+        Varied::reshape(stand, stations, origins, shapes, constants, lengths)
     }
 
     fn vary(

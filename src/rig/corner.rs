@@ -8,7 +8,7 @@ use super::compliance::Compliance;
 use super::hold::Hold;
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::Pose;
-use super::shape::Origins;
+use super::shape::{Origins, Shape};
 use super::stand::Stand;
 use super::station::Station;
 use super::sweep::Specimen;
@@ -316,6 +316,20 @@ impl Variable for Corner {
 
     fn adjusters(&self, adjuster: usize) -> Vec<DriverId> {
         vec![self.suspension.adjusters[adjuster]]
+    }
+
+    fn sides(&self) -> usize {
+        1
+    }
+
+    fn reshape(
+        &mut self,
+        shapes: &[Shape<f64>],
+        constants: &[(ElementConstant, f64)],
+        lengths: &[(usize, f64)],
+    ) -> Result<(), VaryError> {
+        let Self { station, stand, origins, .. } = self;
+        Varied::reshape(stand, std::slice::from_ref(station), origins, shapes, constants, lengths)
     }
 
     fn vary(

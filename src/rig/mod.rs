@@ -38,4 +38,4 @@ pub use shape::Shape;
 pub use stand::Stand;
 pub use sweep::{Missed, Row, Specimen, Sweep};
 pub use target::{Event, Held, Supports, SweepPlan, Target, Vertical};
-pub use varied::{Variable, Varied, VaryError};
+pub use varied::{Moved, Variable, Varied, VaryError};

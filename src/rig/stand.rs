@@ -249,6 +249,15 @@ impl Stand {
         self.found = false;
     }
 
+    /// Takes other design positions (m) of all points, and other values of the lengths from which force elements
+    /// measure, by their parameters. It returns to the design position.
+    pub(super) fn reshape(&mut self, positions: &[Vector<f64>], lengths: &[(usize, f64)]) {
+        self.positions.copy_from_slice(positions);
+        self.system.reshape(positions);
+        self.equilibrium.reshape(&self.system, lengths);
+        self.found = false;
+    }
+
     /// Moves joints, which alone determine the position, then finds what they carry.
     fn move_rigidly(&mut self, targets: &[(DriverId, f64)]) -> Result<StepReport, Stop> {
         let mut report = self.system.move_to(targets)?;

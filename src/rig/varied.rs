@@ -7,16 +7,17 @@ use super::station::Station;
 use super::sweep::Specimen;
 use super::view::View;
 use crate::assembly::ElementConstant;
-use crate::mechanism::{Body, DriverId, DriverSlots, Expansion, Owner};
+use crate::mechanism::{Body, BodyId, DriverId, DriverSlots, Expansion, Owner, PointId};
 use crate::model::{Model, Side};
-use crate::relation::BODY_COORDINATES;
-use crate::scalar::{Dual, Scalar as _};
+use crate::relation::{BODY_COORDINATES, Coordinates};
+use crate::scalar::{Dual, Scalar};
 use crate::solve::Twist;
 use crate::solve::compliance::WRENCH;
 use crate::solve::linear::Singular;
 use crate::solve::sensitivity::{
     Change, Frame, Gradient, Question, Response, Sensitivity, SensitivityError,
 };
+use crate::vector::{Vector, add, constant, rotate, sub};
 
 /// Why a state cannot say how it changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -57,6 +58,28 @@ pub trait Variable: Specimen {
     /// The adjusters, one of each side, that one of the model is.
     fn adjusters(&self, adjuster: usize) -> Vec<DriverId>;
 
+    /// The shapes of all sides, left first, that go with one of a model: the other side is the mirror image, or
+    /// stays where a file of its own describes it.
+    fn both_sides<S: Scalar>(&self, model: &Model, shape: Shape<S>) -> Vec<Shape<S>> {
+        both_sides(self.sides(), model, shape)
+    }
+
+    /// 1 of a corner, 2 of an axle.
+    fn sides(&self) -> usize;
+
+    /// Takes the shapes of other models of the same build for all sides, left first, and returns to the design
+    /// position. `constants` are new values of laws, `lengths` those of parameters of force elements. Loads and what
+    /// is measured stay.
+    ///
+    /// # Errors
+    /// [`VaryError::Adjusted`] for a model with a static state.
+    fn reshape(
+        &mut self,
+        shapes: &[Shape<f64>],
+        constants: &[(ElementConstant, f64)],
+        lengths: &[(usize, f64)],
+    ) -> Result<(), VaryError>;
+
     /// The current state, to ask how its poses change with the model and with some constants of force elements.
     ///
     /// # Errors
@@ -66,6 +89,59 @@ pub trait Variable: Specimen {
         constants: &[ElementConstant],
         compliance: bool,
     ) -> Result<Varied<'_>, VaryError>;
+}
+
+fn both_sides<S: Scalar>(sides: usize, model: &Model, shape: Shape<S>) -> Vec<Shape<S>> {
+    if sides < 2 {
+        return vec![shape];
+    }
+    let other = match model.has_other_side() {
+        true => Shape::of(&model.other_side()).lifted(),
+        false => shape.mirrored(),
+    };
+    match model.side {
+        Side::Left => vec![shape, other],
+        Side::Right => vec![other, shape],
+    }
+}
+
+/// A state with its derivatives along a change.
+#[derive(Clone, Debug)]
+pub struct Moved {
+    /// One of a corner, left and right of an axle.
+    pub poses: Vec<Pose<Dual>>,
+    state: Vec<Coordinates<Dual>>,
+    points: Vec<Vector<Dual>>,
+    origins: Vec<[f64; 3]>,
+}
+
+impl Moved {
+    /// Where a point of a body is (m).
+    ///
+    /// # Panics
+    /// If body or point belong to another mechanism.
+    pub fn point(&self, (point, body): (PointId, BodyId)) -> Vector<Dual> {
+        let q = &self.state[body.index()];
+        let local = sub(self.points[point.index()], constant(self.origins[body.index()]));
+        add([q[0], q[1], q[2]], self.turned(body, local))
+    }
+
+    /// A direction of a body in the axes of the ground.
+    ///
+    /// # Panics
+    /// If the body belongs to another mechanism.
+    pub fn turned(&self, body: BodyId, direction: Vector<Dual>) -> Vector<Dual> {
+        let q = &self.state[body.index()];
+        rotate([q[3], q[4], q[5], q[6]], direction)
+    }
+
+    /// The design position (m) of a point.
+    ///
+    /// # Panics
+    /// If the point belongs to another mechanism.
+    pub fn design(&self, point: PointId) -> Vector<Dual> {
+        self.points[point.index()]
+    }
 }
 
 /// A stand at one state, ready to say how its poses change. The stand cannot change meanwhile.
@@ -117,20 +193,29 @@ impl<'a> Varied<'a> {
         Ok(Self { frame, sensitivity, stations, origins, expansion, bodies, drivers, question })
     }
 
-    /// The shapes of all sides, left first, that go with one of a model: the other side is the mirror image, or
-    /// stays where a file of its own describes it.
-    pub fn both_sides(&self, model: &Model, shape: Shape<Dual>) -> Vec<Shape<Dual>> {
-        if self.stations.len() < 2 {
-            return vec![shape];
+    /// As [`Variable::reshape`].
+    pub(super) fn reshape(
+        stand: &mut Stand,
+        stations: &[Station],
+        origins: &Origins,
+        shapes: &[Shape<f64>],
+        constants: &[(ElementConstant, f64)],
+        lengths: &[(usize, f64)],
+    ) -> Result<(), VaryError> {
+        if stations.iter().any(Station::is_adjusted) {
+            return Err(VaryError::Adjusted);
         }
-        let other = match model.has_other_side() {
-            true => Shape::of(&model.other_side()).lifted(),
-            false => shape.mirrored(),
-        };
-        match model.side {
-            Side::Left => vec![shape, other],
-            Side::Right => vec![other, shape],
+        let laws = stand.equilibrium_mut().elements_mut().laws_mut();
+        for (constant, value) in constants {
+            laws[constant.value].set_constant(constant.constant, *value);
         }
+        stand.reshape(&origins.positions(shapes), lengths);
+        Ok(())
+    }
+
+    /// As [`Variable::both_sides`].
+    pub fn both_sides<S: Scalar>(&self, model: &Model, shape: Shape<S>) -> Vec<Shape<S>> {
+        both_sides(self.stations.len(), model, shape)
     }
 
     /// What changes when the shapes of the sides do, each being that of its model with derivatives. Sides are
@@ -161,6 +246,18 @@ impl<'a> Varied<'a> {
     pub fn poses(&mut self, change: &Change) -> Result<Vec<Pose<Dual>>, SensitivityError> {
         let response = self.sensitivity.response(&mut self.frame, change)?;
         Ok(self.poses_of(&response))
+    }
+
+    /// The poses and all bodies with their derivatives along a change.
+    ///
+    /// # Errors
+    /// [`SensitivityError`].
+    pub fn moved(&mut self, change: &Change) -> Result<Moved, SensitivityError> {
+        let response = self.sensitivity.response(&mut self.frame, change)?;
+        let poses = self.poses_of(&response);
+        let Response { state, points, .. } = response;
+        let origins = self.bodies.iter().map(|body| body.origin).collect();
+        Ok(Moved { poses, state, points, origins })
     }
 
     /// The derivatives of results of the poses by everything that a change has. `results` gives values and

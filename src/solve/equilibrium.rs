@@ -125,6 +125,22 @@ impl Equilibrium {
         *self = new;
     }
 
+    /// Takes over the points of the system it was made of, its state and its parameters, of which `lengths` have
+    /// other values, as [`System::reshape`] left them. Laws stay as they are.
+    pub fn reshape(&mut self, system: &System, lengths: &[(usize, f64)]) {
+        self.mechanism.set_positions(&system.mechanism().positions());
+        self.base.copy_from_slice(system.base());
+        for &(slot, value) in lengths {
+            self.base[slot] = value;
+        }
+        self.problem.h.copy_from_slice(&self.base);
+        self.problem.state.copy_from_slice(system.state());
+        self.problem.lambda.fill(0.0);
+        self.problem.held = 0.0;
+        self.driver_values.fill(0.0);
+        self.elements_mut().forget();
+    }
+
     /// The mechanism.
     pub fn mechanism(&self) -> &Mechanism {
         &self.mechanism

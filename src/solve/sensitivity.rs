@@ -61,6 +61,14 @@ pub struct Change {
 }
 
 impl Change {
+    /// The same, so many times as much.
+    #[must_use]
+    pub fn times(mut self, factor: f64) -> Self {
+        let numbers = self.h.iter_mut().chain(&mut self.constants);
+        numbers.chain(self.points.as_flattened_mut()).for_each(|number| *number *= factor);
+        self
+    }
+
     /// The sum of the products of all entries.
     pub fn dot(&self, other: &Self) -> f64 {
         let sum = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };

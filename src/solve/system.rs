@@ -238,6 +238,19 @@ impl System {
         self.travel.reset();
     }
 
+    /// Moves the design positions (m) of points, and goes there with all drivers at zero. Frames of bodies stay
+    /// where they are, and so do the choices that were made at the first design position: which equations are
+    /// independent, and with which coordinate axes normals are built.
+    ///
+    /// # Panics
+    /// If there are not as many positions as points.
+    pub fn reshape(&mut self, positions: &[[f64; 3]]) {
+        self.mechanism.set_positions(positions);
+        self.base = self.expansion.parameters(positions);
+        self.start = design_state(self.mechanism.bodies());
+        self.reset();
+    }
+
     /// Takes a state with these values of drivers (m or rad) for the one that all drivers count from, and goes
     /// there. The joints have to hold in it.
     ///

@@ -79,6 +79,22 @@ impl Parameter {
         }
     }
 
+    /// The hard point that it is a coordinate of, by its place in [`Model::points`].
+    pub fn point(self) -> Option<usize> {
+        match self {
+            Self::Coordinate { point, .. } => Some(point),
+            _ => None,
+        }
+    }
+
+    /// The axis (0, 1 or 2) of a coordinate.
+    pub fn axis(self) -> Option<usize> {
+        match self {
+            Self::Coordinate { axis, .. } => Some(axis),
+            _ => None,
+        }
+    }
+
     /// The value (SI) that a model has, `None` where a table stands for a stiffness, or where the model says
     /// it otherwise.
     pub fn value(self, model: &Model) -> Option<f64> {

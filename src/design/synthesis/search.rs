@@ -1,0 +1,105 @@
+//! From several designs to the best one.
+
+use rayon::prelude::*;
+
+use super::Obstacle;
+use super::problem::Task;
+use crate::design::request::Request;
+use crate::design::sqp::{Outcome, Settings, Sobol, Status, solve};
+use crate::rig::Variable;
+
+/// Targets count as met where none is off by more than this part of its tolerance.
+const MET: f64 = 1e-6;
+
+/// The best design that was found, and the way to it.
+pub(super) struct Found {
+    pub outcome: Outcome,
+    /// From how many designs it was sought.
+    pub starts: usize,
+    /// Designs that were evaluated, from all starts.
+    pub evaluations: usize,
+}
+
+/// Seeks from the model itself and, where that does not lead to a design that meets all targets, from points
+/// of a Sobol sequence between the bounds. `task` sets the request up once more.
+pub(super) fn search<'a, V: Variable>(
+    request: &Request,
+    first: &mut Task<'a, V>,
+    task: impl Fn() -> Result<Task<'a, V>, Obstacle> + Sync,
+) -> Result<Found, Obstacle> {
+    let settings = Settings {
+        iterations: request.search.iterations as usize,
+        evaluations: 3 * request.search.iterations as usize,
+        ..Settings::default()
+    };
+    let run = |task: &mut Task<'a, V>, start: &[f64]| {
+        let statement = task.statement.clone();
+        solve(task, &statement, start, &settings).map_err(|mistake| {
+            // Bounds and limits of a request were checked when it was read.
+            Obstacle::Undefined(mistake.to_string())
+        })
+    };
+    let start = first.start();
+    let outcome = run(first, &start)?;
+    let mut found = Found { evaluations: outcome.evaluations, outcome, starts: 1 };
+    if found.is_met(first) {
+        return Ok(found);
+    }
+    let points = starts(request, first);
+    let outcomes: Vec<Option<Outcome>> = points
+        .par_iter()
+        .map_init(&task, |task, point| run(task.as_mut().ok()?, point).ok())
+        .collect();
+    for outcome in outcomes.into_iter().flatten() {
+        found.starts += 1;
+        found.evaluations += outcome.evaluations;
+        if rank(&outcome) < rank(&found.outcome) {
+            found.outcome = outcome;
+        }
+    }
+    Ok(found)
+}
+
+impl Found {
+    /// Whether every target is met and every constraint kept.
+    fn is_met<V: Variable>(&self, task: &Task<'_, V>) -> bool {
+        let open = task
+            .goals
+            .wishes
+            .iter()
+            .any(|wish| matches!(wish.kind, super::goals::Kind::Open { .. }));
+        let feasible = matches!(self.outcome.status, Status::Converged(_) | Status::Stalled(_));
+        feasible && !open && task.worst(&self.outcome.residuals) < MET
+    }
+}
+
+/// Other designs to start from.
+fn starts<V: Variable>(request: &Request, task: &Task<'_, V>) -> Vec<Vec<f64>> {
+    let variables = &task.statement.variables;
+    let count = request.search.starts.saturating_sub(1) as usize;
+    let Ok(mut sequence) = Sobol::new(variables.len()) else { return vec![] };
+    for _ in 0..=request.search.seed {
+        // The first point is a corner of the bounds.
+        sequence.next();
+    }
+    let place = |point: Vec<f64>| {
+        let parts = point.iter().zip(variables);
+        parts.map(|(part, v)| v.lower + part * (v.upper - v.lower)).collect()
+    };
+    sequence.take(count).map(place).collect()
+}
+
+/// The order of outcomes: kept constraints first, then small objectives.
+fn rank(outcome: &Outcome) -> (u8, f64) {
+    match &outcome.status {
+        Status::Converged(_) => (0, outcome.objective),
+        Status::Stalled(kkt) | Status::Iterations(kkt) if kkt.violation < 1e-6 => {
+            (0, outcome.objective)
+        }
+        Status::Stalled(kkt) | Status::Iterations(kkt) => (1, kkt.violation),
+        Status::Infeasible(conflict) => {
+            (2, conflict.violations.iter().map(|violation| violation.abs()).sum())
+        }
+        Status::EvaluationFailed(_) => (3, 0.0),
+    }
+}

@@ -1,0 +1,146 @@
+//! A specimen that takes other values of parameters, and says what comes of them at its states.
+
+use super::Obstacle;
+use crate::assembly::ElementConstant;
+use crate::design::parameter::{Parameter, Resolved};
+use crate::mechanism::{BodyId, PointId};
+use crate::model::Model;
+use crate::rig::{Moved, Pose, Shape, Target, Variable};
+use crate::scalar::Dual;
+use crate::solve::sensitivity::Change;
+use crate::vector::Vector;
+
+/// A corner or an axle whose parameters change.
+pub(super) struct Trial<V> {
+    specimen: V,
+    model: Model,
+    parameters: Vec<Parameter>,
+    /// What turns a value along an axis of ISO 8855 into one along that of the model.
+    signs: Vec<f64>,
+    resolved: Vec<Resolved>,
+    constants: Vec<ElementConstant>,
+    compliance: bool,
+    /// What each parameter changes, for the present values; found when it is first needed.
+    changes: Vec<Change>,
+}
+
+/// A state with its derivatives by all parameters.
+pub(super) struct Reached {
+    /// One for each parameter, all with the same values.
+    pub by: Vec<Moved>,
+}
+
+impl Reached {
+    /// A value with its derivatives.
+    pub fn of(&self, value: impl Fn(&Moved) -> Option<Dual>) -> Option<(f64, Vec<f64>)> {
+        let duals: Option<Vec<Dual>> = self.by.iter().map(value).collect();
+        let duals = duals?;
+        let value = duals.first()?.value;
+        let by: Vec<f64> = duals.iter().map(|dual| dual.derivative).collect();
+        (value.is_finite() && by.iter().all(|by| by.is_finite())).then_some((value, by))
+    }
+}
+
+impl<V: Variable> Trial<V> {
+    /// A specimen of a model with what may change of it. `compliance` says whether factors need how wheels give way
+    /// to loads.
+    pub fn new(specimen: V, model: &Model, parameters: &[Parameter], compliance: bool) -> Self {
+        let resolved: Vec<Resolved> = parameters.iter().map(|p| p.resolve(&specimen)).collect();
+        let mut constants = vec![];
+        for resolved in &resolved {
+            if let Resolved::Constants(own) = resolved {
+                constants.extend(own);
+            }
+        }
+        Self {
+            specimen,
+            model: model.clone(),
+            parameters: parameters.to_vec(),
+            signs: parameters.iter().map(|parameter| parameter.sign_of_iso(model)).collect(),
+            resolved,
+            constants,
+            compliance,
+            changes: vec![],
+        }
+    }
+
+    /// 1 of a corner, 2 of an axle.
+    pub fn sides(&self) -> usize {
+        self.specimen.sides()
+    }
+
+    /// Takes values (SI, coordinates in ISO 8855 axes) of the parameters and returns to the design position.
+    pub fn set(&mut self, x: &[f64]) -> Result<(), Obstacle> {
+        let mut shape = Shape::of(&self.model);
+        let (mut constants, mut lengths) = (vec![], vec![]);
+        let parts = self.parameters.iter().zip(&self.resolved).zip(&self.signs);
+        for (((parameter, resolved), sign), value) in parts.zip(x) {
+            let value = sign * value;
+            match resolved {
+                Resolved::Shape => parameter.place(&self.model, &mut shape, value),
+                Resolved::Constants(own) => {
+                    constants.extend(own.iter().map(|constant| (*constant, value)));
+                }
+                Resolved::Parameters(slots) => {
+                    lengths.extend(slots.iter().map(|&(slot, _)| (slot, value)));
+                }
+            }
+        }
+        let shapes = self.specimen.both_sides(&self.model, shape);
+        self.changes.clear();
+        self.specimen.reshape(&shapes, &constants, &lengths).map_err(Obstacle::State)
+    }
+
+    /// Goes to a state.
+    pub fn go_to(&mut self, target: &Target) -> Result<(), Obstacle> {
+        let moved = self.specimen.go_to(target);
+        moved.map(|_| ()).map_err(|stop| Obstacle::Stopped(Box::new(stop)))
+    }
+
+    /// The poses at the state.
+    pub fn poses(&mut self) -> Vec<Pose<f64>> {
+        self.specimen.measure_compliance(self.compliance);
+        self.specimen.poses()
+    }
+
+    /// What the state has, with derivatives.
+    pub fn reached(&mut self) -> Result<Reached, Obstacle> {
+        let Self { specimen, model, parameters, signs, resolved, constants, compliance, changes } =
+            self;
+        let mut varied = specimen.vary(constants, *compliance).map_err(Obstacle::State)?;
+        if changes.is_empty() {
+            let parts = parameters.iter().zip(&*resolved).zip(&*signs);
+            let change = |((parameter, resolved), sign): ((&Parameter, &Resolved), &f64)| {
+                resolved.change(parameter, model, &varied, constants).times(*sign)
+            };
+            *changes = parts.map(change).collect();
+        }
+        let by = changes.iter().map(|change| varied.moved(change)).collect::<Result<_, _>>();
+        Ok(Reached { by: by.map_err(Obstacle::Derivative)? })
+    }
+
+    /// A point of the model and a body of its architecture, as the specimen numbers them on the side of the model.
+    pub fn end(&self, (point, body): (PointId, BodyId)) -> (PointId, BodyId) {
+        let mechanism = self.specimen.stand().mechanism();
+        let (name, side) = (&self.model.points()[point.index()].name, self.model.side.name());
+        let point_named = |name: &str| mechanism.points().iter().position(|p| p.name == *name);
+        let body_named = |name: &str| mechanism.bodies().iter().position(|b| b.name == *name);
+        let architecture = &self.model.architecture;
+        let body_name = match body.index().checked_sub(1) {
+            None => architecture.ground(),
+            Some(index) => &architecture.bodies()[index].name,
+        };
+        let found_point = point_named(name).or_else(|| point_named(&format!("{side}_{name}")));
+        let found_body =
+            body_named(body_name).or_else(|| body_named(&format!("{side}_{body_name}")));
+        let point = found_point.map_or(point, PointId);
+        (point, found_body.map_or(body, BodyId))
+    }
+}
+
+impl Moved {
+    /// The distance vector of two points.
+    pub(super) fn ends(&self, ends: [(PointId, BodyId); 2]) -> [Vector<Dual>; 2] {
+        ends.map(|end| self.point(end))
+    }
+}
