@@ -16,8 +16,8 @@ use hardpoint::solve::System;
 use joints::{distance, largest_error};
 
 /// Motions that joints leave free with the rack held, as tabulated for one side, or for an axle where the
-/// sides are one mechanism. The last two leave too little for an axle: they move in their bushings.
-const FREE: [(&str, usize); 25] = [
+/// sides are one mechanism. Those of [`ELASTIC`] leave too little or too much for an axle.
+const FREE: [(&str, usize); 35] = [
     ("double-wishbone", 1),
     ("double-wishbone-pitman", 1),
     ("double-wishbone-pullrod", 1),
@@ -35,14 +35,33 @@ const FREE: [(&str, usize); 25] = [
     ("three-link-irs", 1),
     ("trailing-arm", 1),
     ("de-dion", 2),
+    ("de-dion-toe-bar", 2),
+    ("leaf-spring-axle", 2),
+    ("leaf-spring-axle-toe-bar", 2),
     ("push-pipe", 2),
+    ("push-pipe-toe-bar", 2),
+    ("rigid-panhard-axle", 2),
+    ("rigid-panhard-axle-toe-bar", 2),
     ("solid-axle", 2),
+    ("solid-axle-bellcrank", 2),
     ("solid-axle-panhard", 2),
     ("solid-axle-steered", 2),
     ("solid-axle-three-link", 2),
+    ("solid-axle-three-link-bellcrank", 2),
     ("solid-axle-watt", 2),
     ("solid-axle-four-trailing-links", 1),
     ("twist-beam", 1),
+    ("sae-leaf-spring-axle", 4),
+    ("sae-leaf-spring-axle-toe-bar", 4),
+];
+
+/// Axles that move in equilibrium only: in bushings that take the place of joints, or held by springs where joints
+/// do not.
+const ELASTIC: [&str; 4] = [
+    "solid-axle-four-trailing-links",
+    "twist-beam",
+    "sae-leaf-spring-axle",
+    "sae-leaf-spring-axle-toe-bar",
 ];
 
 const RIGID: Setup = Setup {
@@ -73,8 +92,7 @@ fn rigid(model: &Model) -> (Mechanism, Vec<DriverId>, Option<DriverId>) {
 
 /// The architectures whose joints alone move as an axle or a corner does.
 fn rigid_names() -> impl Iterator<Item = &'static str> {
-    let elastic = ["solid-axle-four-trailing-links", "twist-beam"];
-    FREE.into_iter().map(|(name, _)| name).filter(move |name| !elastic.contains(name))
+    FREE.into_iter().map(|(name, _)| name).filter(|name| !ELASTIC.contains(name))
 }
 
 /// Travels (m) of the left and the right wheel, or of the wheel alone.
@@ -111,7 +129,8 @@ fn every_architecture_has_an_example_and_a_tabulated_freedom() {
         }
         mechanism = rigid(&model).0;
         let system = System::new(mechanism).unwrap();
-        assert!(system.freedom().is_exact(), "{name}: {}", system.freedom());
+        let exact = free == travels.len();
+        assert_eq!(system.freedom().is_exact(), exact, "{name}: {}", system.freedom());
         assert_eq!(system.freedom().degrees_of_freedom - held, free, "{name}");
     }
 }
@@ -218,10 +237,10 @@ fn a_watt_linkage_leads_straighter_than_a_panhard_rod() {
     assert!(panhard > 1e-3, "{panhard}");
 }
 
-/// Where joints alone do not move, bushings do: the sweep in equilibrium, and its mirror image.
+/// Where joints alone do not move, bushings and springs do: the sweep in equilibrium, and its mirror image.
 #[test]
-fn bushed_axles_sweep_in_equilibrium() {
-    for name in ["twist-beam", "solid-axle-four-trailing-links"] {
+fn elastic_axles_sweep_in_equilibrium() {
+    for name in ELASTIC {
         let (model, image) = (model(name), model(name).mirrored());
         let mut axles = [&model, &image].map(|model| Axle::new(model, &Setup::default()).unwrap());
         for travel in travels(2) {
@@ -255,6 +274,41 @@ fn a_twist_beam_twists_in_roll_only() {
     // Half the difference of the heights over the length of the arms, about 430 mm.
     let rolled = twist([0.05, -0.05]).abs();
     assert!((0.1..0.4).contains(&rolled), "{rolled}");
+}
+
+/// An axle that leaf springs lead straight: its wheels go up and down, and in roll about its centre.
+#[test]
+fn a_straight_axle_rolls_about_its_centre() {
+    let (mechanism, drivers, _) = rigid(&model("leaf-spring-axle"));
+    let mut system = System::new(mechanism).unwrap();
+    for travel in travels(2) {
+        let targets: Vec<_> = drivers.iter().copied().zip(travel.iter().copied()).collect();
+        system.move_to(&targets).unwrap();
+        let (half, roll) = (0.74, (travel[0] - travel[1]) / 2.0);
+        let [x, y, z] = joints::place(&system, "axle", "left_wheel_center");
+        let aside = (half * half - roll * roll).sqrt();
+        assert!(x.abs() < 1e-10 && (y - aside).abs() < 1e-10, "{travel:?}: {x} {y}");
+        assert!((z - travel[0]).abs() < 1e-10, "{travel:?}: {z}");
+    }
+}
+
+/// A leaf bends by the travel over its length, so the rate at the wheel is that of both its bending springs by
+/// the squares of their lengths; the shackle and the preload change it by some percent.
+#[test]
+fn leaves_carry_the_wheel() {
+    let mut axle = Axle::new(&model("sae-leaf-spring-axle"), &Setup::default()).unwrap();
+    let mut load = |travel| {
+        axle.move_to([travel, travel], 0.0).unwrap();
+        let load = axle.pose(Side::Left).load.map(|load| load.force);
+        load.expect("its springs hold it")
+    };
+    let (below, at, above) = (load(-0.001), load(0.0), load(0.001));
+    // 170 N·m/deg at both clamps, 450 mm from the eyes; 2500 N of preload.
+    let bending = 170.0_f64 * 180.0 / std::f64::consts::PI;
+    let expected = 2.0 * bending / (0.45 * 0.45);
+    let rate = (above - below) / 0.002;
+    assert!((rate / expected - 1.0).abs() < 0.1, "{rate} N/m, not about {expected}");
+    assert!((at / 2500.0 - 1.0).abs() < 0.05, "{at} N");
 }
 
 #[test]

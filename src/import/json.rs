@@ -163,9 +163,18 @@ impl Json {
 
     /// Lists what has not been taken over: whole members, or parts of those of which a part has been.
     pub(super) fn unused(&self, path: &str, why: &str, left_out: &mut Vec<LeftOut>) {
-        let Kind::Object(members) = &self.kind else { return };
-        for (name, value) in members.iter().filter(|(_, value)| !value.used.get()) {
-            let path = if path.is_empty() { name.clone() } else { format!("{path} / {name}") };
+        let members: Vec<(&str, &Self)> = match &self.kind {
+            Kind::Object(members) => {
+                members.iter().map(|(name, value)| (name.as_str(), value)).collect()
+            }
+            // The items of a list go by their names.
+            Kind::List(items) => {
+                items.iter().map(|item| (item.text("Name").unwrap_or("item"), item)).collect()
+            }
+            _ => return,
+        };
+        for (name, value) in members.into_iter().filter(|(_, value)| !value.used.get()) {
+            let path = if path.is_empty() { name.to_owned() } else { format!("{path} / {name}") };
             if value.touched() {
                 value.unused(&path, why, left_out);
             } else {
@@ -182,6 +191,7 @@ impl Json {
     fn touched(&self) -> bool {
         let inside = match &self.kind {
             Kind::Object(members) => members.iter().any(|(_, value)| value.touched()),
+            Kind::List(items) => items.iter().any(Self::touched),
             _ => false,
         };
         self.used.get() || inside

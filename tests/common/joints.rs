@@ -75,6 +75,12 @@ pub fn largest_error_of(system: &System, aside: f64) -> (f64, String) {
                 let length = distance(design(system, first), design(system, second));
                 (distance(on_i(first), on_j(second)) - length).abs()
             }
+            JointKind::InPlane { at, normal } => {
+                let [normal, _] = turned(normal);
+                let off = sub(on_j(at), on_i(at));
+                (0..3).map(|k| normal[k] * off[k]).sum::<f64>().abs()
+            }
+            JointKind::ParallelAxes { axis, .. } => aligned(axis),
             kind => panic!("no architecture has had a joint that is {}", kind.name()),
         };
         if error.is_nan() || error > worst.0 {

@@ -1,6 +1,7 @@
 //! Springs, dampers and stops: the force elements that Chrono calls TSDA, `f = P − F(l − l0) −
 //! D(l̇)`, + pushing.
 
+use crate::import::draft::{Part, PartKind};
 use crate::import::json::Json;
 use crate::import::sheet::Value;
 use crate::import::{LeftOut, Mistakes};
@@ -28,8 +29,74 @@ const SPEEDS: [f64; 13] = [0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.8,
 const SPLINE: &str =
     "Chrono goes straight from row to row; here a spline goes through the same rows.";
 
+/// The spring or damper of an object between two points, with its damper and its stops. Its ends are as far apart
+/// as `length` (m) at the design position.
+pub(super) fn tsda(
+    object: &Json,
+    called: &str,
+    bodies: &[String; 2],
+    on: [&str; 2],
+    length: f64,
+    left_out: &mut Vec<LeftOut>,
+    mistakes: &mut Mistakes,
+) -> Vec<Part> {
+    let part = |name: &str, kind, entries, comments| Part {
+        name: name.to_owned(),
+        line: object.line,
+        called: match kind {
+            "spring" | "damper" => called.to_owned(),
+            _ => format!("{called}, stop"),
+        },
+        kind: PartKind::Force(kind, bodies.clone()),
+        entries: [vec![("on", Value::from(on))], entries].concat(),
+        points: on.map(str::to_owned).to_vec(),
+        comments,
+    };
+    let mut comments = vec![];
+    let damping = damper_of(object, length, &mut comments, left_out, mistakes);
+    let spring = spring_of(object, &mut comments, mistakes);
+    let mut parts = match (spring, damping) {
+        (Some(mut spring), damping) => {
+            // A spring calls its table of damping so that it is not taken for that of the force.
+            let key = |key| if key == "table" { "damping_table" } else { key };
+            spring.extend(damping.map(|(name, value)| (key(name), value)));
+            vec![part("spring", "spring", spring, comments)]
+        }
+        (None, Some(damping)) => vec![part("damper", "damper", vec![damping], comments)],
+        (None, None) => {
+            let why = "it has neither a stiffness nor a damping that is known".to_owned();
+            left_out.push(LeftOut { line: object.line, what: format!("`{called}`"), why });
+            return vec![];
+        }
+    };
+    for (kind, entries) in stops_of(object, length, left_out, mistakes) {
+        let comment = "The stop that Chrono gives to springs with such lengths; its table is linear between the rows.";
+        parts.push(part(&kind.replace('-', "_"), kind, entries, vec![comment.to_owned()]));
+    }
+    parts
+}
+
+/// A spring about an axis, `M = P − k (θ − θ0) − c θ̇` on the second body, as that of the mechanism; `None` after a
+/// mistake.
+pub(super) fn rotational(object: &Json, mistakes: &mut Mistakes) -> Option<Vec<Entry>> {
+    let mut number = |key: &str| object.number(key, mistakes).unwrap_or(0.0);
+    let [preload, free] = ["Preload", "Free Angle"].map(&mut number);
+    let [stiffness, damping] =
+        ["Spring Coefficient", "Damping Coefficient"].map(|key| object.number(key, mistakes));
+    let Some(stiffness) = stiffness else {
+        let what = "the importer knows springs about axes by their `Spring Coefficient` only";
+        mistakes.note(object.line, what, "add it");
+        return None;
+    };
+    let mut entries = vec![("stiffness", Value::from(stiffness))];
+    let moment = preload + stiffness * free;
+    entries.extend((moment != 0.0).then(|| ("preload", Value::from(moment))));
+    entries.extend(damping.map(|damping| ("damping", Value::from(damping))));
+    Some(entries)
+}
+
 /// Stiffness and free length of a spring, `None` where the object is none.
-pub(super) fn spring_of(
+fn spring_of(
     object: &Json,
     comments: &mut Vec<String>,
     mistakes: &mut Mistakes,
@@ -61,7 +128,7 @@ pub(super) fn spring_of(
 }
 
 /// The damping of a damper, as a number or a table over the speed, + in extension.
-pub(super) fn damper_of(
+fn damper_of(
     object: &Json,
     length: f64,
     comments: &mut Vec<String>,
@@ -131,7 +198,7 @@ fn map_of(
 }
 
 /// The stops at the minimum and maximum length.
-pub(super) fn stops_of(
+fn stops_of(
     object: &Json,
     length: f64,
     left_out: &mut Vec<LeftOut>,

@@ -1,48 +1,61 @@
 //! Masses: bodies of Chrono that are one body here are put together.
 
 use super::template::{Center, Frame, Mass, Template};
-use crate::import::draft::{Body, Point};
+use crate::import::draft::{Body, Draft, Point};
 use crate::import::json::Json;
 use crate::import::{LeftOut, Mistakes};
-use crate::vector::{cross, dot, scale, sub, unit};
+use crate::model::{Architecture, Side};
+use crate::vector::{add, cross, dot, scale, sub, unit};
 
 /// A mass with its tensor about its centre, in the axes of the vehicle.
 #[derive(Clone, Copy)]
-struct Lump {
-    mass: f64,
-    center: [f64; 3],
-    tensor: [[f64; 3]; 3],
+pub(super) struct Lump {
+    pub(super) mass: f64,
+    pub(super) center: [f64; 3],
+    pub(super) tensor: [[f64; 3]; 3],
 }
 
 /// The bodies of a model with the masses of the file.
 pub(super) fn bodies(
     root: &Json,
     template: &Template,
-    left_out: &mut Vec<LeftOut>,
-    points: &[Point],
+    architecture: Option<&Architecture>,
+    draft: &mut Draft,
     mistakes: &mut Mistakes,
 ) -> Vec<Body> {
+    // Bodies of both sides stand as the file has them; those of one are its left ones.
+    let shared = |name: &str| {
+        let mut bodies = architecture.into_iter().flat_map(Architecture::bodies);
+        bodies.any(|body| body.name == name && body.shared)
+    };
     let mut bodies: Vec<(Body, Lump)> = vec![];
     for row in template.masses {
-        let Some(object) = root.get(row.object).filter(|object| object.has("Mass")) else {
+        let called = row.object.join(" / ");
+        let found = row.object.iter().try_fold(root, |object, key| object.get(key));
+        let Some(object) = found.filter(|object| object.has(&format!("{}Mass", row.prefix))) else {
             continue;
         };
-        let Some(lump) = lump(root, object, row, points, mistakes) else {
-            left_out.push(LeftOut {
+        let mirrored = draft.side == Some(Side::Right) && !shared(row.body);
+        let Some(lump) = lump(root, object, row, mirrored, &draft.points, mistakes) else {
+            draft.left_out.push(LeftOut {
                 line: object.line,
-                what: format!("the mass of `{}`", row.object),
+                what: format!("the mass of `{called}`"),
                 why: "its centre or its inertia is not there".to_owned(),
             });
             continue;
         };
         if let Some((body, first)) = bodies.iter_mut().find(|(body, _)| body.name == row.body) {
-            body.called = format!("{} and {}", body.called, row.object);
+            body.called = format!("{} and {called}", body.called);
             *first = together(*first, lump);
         } else {
             let body = Body {
                 name: row.body.to_owned(),
                 line: object.line,
-                called: row.object.to_owned(),
+                called: format!(
+                    "{called}{}{}",
+                    if row.prefix.is_empty() { "" } else { ", " },
+                    row.prefix.trim_end()
+                ),
                 mass: 0.0,
                 center: [0.0; 3],
                 inertia: [0.0; 6],
@@ -57,28 +70,39 @@ fn lump(
     root: &Json,
     object: &Json,
     row: &Mass,
+    mirrored: bool,
     points: &[Point],
     mistakes: &mut Mistakes,
 ) -> Option<Lump> {
     let at =
         |name: &str| points.iter().find(|point| point.name == name).map(|point| point.position);
-    let mass = object.number("Mass", mistakes)?;
+    let key = |name: &str| format!("{}{name}", row.prefix);
+    let mass = object.number(&key("Mass"), mistakes)?;
     let center = match row.center {
-        Center::Own => object.vector("COM", mistakes)?,
-        Center::Between(a, b) => {
-            let (a, b) = (at(a)?, at(b)?);
-            std::array::from_fn(|axis| 0.5 * (a[axis] + b[axis]))
+        Center::Own | Center::Both => {
+            let [x, y, z] = object.vector("COM", mistakes)?;
+            [x, if mirrored { 0.0 - y } else { y }, z]
+        }
+        Center::Mean(names) => mean(names, at)?,
+        Center::Across(names) => {
+            let [x, _, z] = mean(names, at)?;
+            [x, 0.0, z]
+        }
+        Center::Half(name) => {
+            let [x, y, z] = at(name)?;
+            [x, 0.5 * y, z]
         }
     };
-    let moments = match object.has("Inertia") {
-        true => object.vector("Inertia", mistakes)?,
-        false => object.vector("Moments of Inertia", mistakes)?,
+    let moments = match object.has(&key("Inertia")) {
+        true => object.vector(&key("Inertia"), mistakes)?,
+        false => object.vector(&key("Moments of Inertia"), mistakes)?,
     };
     let products = match object.has("Inertia Products") {
         true => object.vector("Inertia Products", mistakes)?,
         false => object.vector("Products of Inertia", mistakes).unwrap_or_default(),
     };
     let [xy, xz, yz] = products;
+    let (xy, yz) = if mirrored { (0.0 - xy, 0.0 - yz) } else { (xy, yz) };
     let tensor = [[moments[0], xy, xz], [xy, moments[1], yz], [xz, yz, moments[2]]];
     let vehicle = root
         .get("Vehicle-Frame Inertia")
@@ -98,14 +122,34 @@ fn lump(
             let along = unit(sub(front, rear));
             Some([along, cross(normal, along), normal])
         }
+        Frame::Plane(from, to, third) => {
+            let (from, to) = (at(from)?, at(to)?);
+            let third = third.map_or(Some([0.0; 3]), at)?;
+            let normal = unit(cross(sub(from, third), sub(to, third)));
+            let along = unit(sub(to, from));
+            Some([cross(normal, along), normal, along])
+        }
     };
     let tensor = frame.map_or(tensor, |axes| turned(tensor, axes));
     // Points that coincide leave no axes; the model will be told so.
-    tensor.iter().flatten().all(|entry| entry.is_finite()).then_some(Lump { mass, center, tensor })
+    let lump = Lump { mass, center, tensor };
+    let finite = tensor.iter().flatten().all(|entry| entry.is_finite());
+    finite.then_some(if matches!(row.center, Center::Both) {
+        together(lump, lump.mirrored())
+    } else {
+        lump
+    })
+}
+
+/// The mean of points of the model.
+fn mean(names: &[&str], at: impl Fn(&str) -> Option<[f64; 3]>) -> Option<[f64; 3]> {
+    let places: Vec<[f64; 3]> = names.iter().map(|name| at(name)).collect::<Option<_>>()?;
+    let sum = places.iter().copied().fold([0.0; 3], add);
+    Some(sum.map(|x| x / places.len() as f64))
 }
 
 /// A tensor given in these axes, in those of the vehicle: Σ J_ab e_a e_bᵀ.
-fn turned(tensor: [[f64; 3]; 3], axes: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+pub(super) fn turned(tensor: [[f64; 3]; 3], axes: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
     let entry = |row: usize, column: usize| {
         let mut sum = 0.0;
         for (a, inner) in tensor.iter().enumerate() {
@@ -139,11 +183,25 @@ fn together(a: Lump, b: Lump) -> Lump {
 }
 
 impl Lump {
+    /// Its mirror image on the other side of the vehicle.
+    pub(super) fn mirrored(self) -> Self {
+        let [x, y, z] = self.center;
+        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = self.tensor;
+        let tensor = [[xx, -xy, xz], [-xy, yy, -yz], [xz, -yz, zz]];
+        Self { center: [x, -y, z], tensor, ..self }
+    }
+
     fn write(self, body: Body) -> Body {
+        let (center, inertia) = self.center_and_inertia();
+        Body { mass: self.mass, center, inertia, ..body }
+    }
+
+    /// The centre of mass, and Jxx, Jyy, Jzz, Jxy, Jxz, Jyz.
+    pub(super) fn center_and_inertia(self) -> ([f64; 3], [f64; 6]) {
         let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = self.tensor;
         // A sum of products of zeros may be −0.
         let inertia = [xx, yy, zz, xy, xz, yz].map(|entry| entry + 0.0);
-        Body { mass: self.mass, center: self.center, inertia, ..body }
+        (self.center.map(|x| x + 0.0), inertia)
     }
 }
 

@@ -1,12 +1,16 @@
 //! Vehicle files of Project Chrono: suspensions and steerings of its templates, in SI units, ISO 8855
-//! axes
-//! and for the left side.
+//! axes and for the left side.
 
+mod axle_masses;
+mod axles;
+mod corners;
+mod generic;
 mod lines;
 mod masses;
 mod steering;
 mod suspension;
 mod template;
+mod torsion;
 
 use super::json::Json;
 use super::options::Options;
@@ -24,6 +28,9 @@ pub(super) fn import(
     let template = root.text("Template").unwrap_or_default().to_owned();
     let name = root.text("Name").unwrap_or(source.file_name()).to_owned();
     match kind.as_str() {
+        "Suspension" if template == "GenericWheeledSuspension" => {
+            generic::import(source, root, &Title { name, template })
+        }
         "Suspension" => suspension::import(source, root, &Title { name, template }, options),
         "Steering" => steering::import(source, root, &Title { name, template }),
         "" => Err(source.fault(

@@ -1,7 +1,7 @@
 //! A suspension file, by the row of its template.
 
-use super::lines::{damper_of, spring_of, stops_of};
-use super::template::{Bushing, Line, Template, find};
+use super::lines::tsda;
+use super::template::{Bushing, Derived, Line, Template, find};
 use super::{NOT_USED, Title, masses};
 use crate::import::draft::{Draft, Part, PartKind, Point, SI, Spin};
 use crate::import::json::Json;
@@ -9,7 +9,7 @@ use crate::import::options::Options;
 use crate::import::sheet::Value;
 use crate::import::{ImportError, Imported, LeftOut, Mistakes, Source};
 use crate::model::{Architecture, Side};
-use crate::vector::{norm, sub};
+use crate::vector::{add, cross, norm, sub, unit};
 
 pub(super) fn import(
     source: Source,
@@ -25,29 +25,30 @@ pub(super) fn import(
     let mut draft = Draft::new(&title.name, about, template.architecture, SI);
     draft.template = format!("Chrono's template {name}");
     draft.side = Some(Side::Left);
-    if template.points.is_empty() {
-        if Architecture::built_in(template.architecture).is_some() {
-            let what = format!("points of a `{name}` are not read yet");
-            let architecture = template.architecture;
-            let help = format!(
-                "there is an architecture `{architecture}`: write a model with its points by hand; \
-                 `hardpoint architectures {architecture}` lists them"
-            );
-            return Err(source.fault(what, help));
-        }
-        // Without the architecture this says so.
-        return draft.finish(source.name, source.text, options);
-    }
     let mut mistakes = Mistakes::new(source.name, source.text);
+    if let Some((part, why)) = template.cannot
+        && let Some(object) = root.get(part)
+    {
+        let help = format!(
+            "bushings that would let it move are not in such files; without `{part}` it can be imported"
+        );
+        mistakes.note(object.line, why, help);
+    }
     points(root, template, &mut draft, &mut mistakes);
+    let built_in = Architecture::built_in(template.architecture).transpose()?;
+    if let Some(architecture) = &built_in {
+        on_the_side_of_the_draglink(architecture, &mut draft);
+    }
     draft.spin = spin(root, &mut mistakes);
-    draft.bodies =
-        masses::bodies(root, template, &mut draft.left_out, &draft.points, &mut mistakes);
+    draft.bodies = masses::bodies(root, template, built_in.as_ref(), &mut draft, &mut mistakes);
     for line in template.lines {
         line_parts(root, line, &mut draft, &mut mistakes);
     }
     for bushing in template.bushings {
         bushing_part(root, bushing, &mut draft, &mut mistakes);
+    }
+    if let Some(torsion) = template.torsion {
+        torsion(root, &mut draft, &mut mistakes);
     }
     mistakes.finish()?;
     leave_out_the_rest(root, &mut draft.left_out);
@@ -57,11 +58,16 @@ pub(super) fn import(
 /// Why a file of this template gives no model.
 fn without_template(name: &str) -> String {
     match name {
-        "RigidSuspension" | "RigidPinnedAxle" => {
-            format!("the wheels of a `{name}` do not move on the chassis: there is nothing to compute")
+        "RigidSuspension" => {
+            "the wheels of a `RigidSuspension` do not move on the chassis: there is nothing to compute".to_owned()
         }
-        "GenericWheeledSuspension" => {
-            "a `GenericWheeledSuspension` states bodies and joints of its own, which the importer does not read"
+        "RigidPinnedAxle" => {
+            "a `RigidPinnedAxle` turns about its pin only: it has one motion, and the rig moves both wheels"
+                .to_owned()
+        }
+        "HendricksonPRIMAXX" => {
+            "beams and torque rods on hinges across the vehicle let the axle of a `HendricksonPRIMAXX` go up and down \
+             only: to roll it needs bushings, which such files do not have"
                 .to_owned()
         }
         _ => format!("the importer does not know Chrono's template `{name}`"),
@@ -90,6 +96,52 @@ fn points(root: &Json, template: &Template, draft: &mut Draft, mistakes: &mut Mi
             None => {}
         }
     }
+    for (name, derived) in template.derived {
+        let Some((called, position)) = derive(derived, draft) else { continue };
+        draft.points.push(Point { name: (*name).to_owned(), called, line: root.line, position });
+    }
+    if draft.position("draglink_chassis").is_some() {
+        draft.assumed.push(
+            "the drag link ends on a steering arm, which is in a file of its own: this end is held where it is"
+                .to_owned(),
+        );
+    }
+}
+
+/// A point that others give, and how; `None` where one of these is missing.
+fn derive(derived: &Derived, draft: &Draft) -> Option<(String, [f64; 3])> {
+    let at = |name: &str| draft.position(name);
+    match *derived {
+        Derived::Middle(a, b) => {
+            let (from, to) = (at(a)?, at(b)?);
+            let middle = std::array::from_fn(|axis| 0.5 * (from[axis] + to[axis]));
+            Some((format!("in the middle between {a} and {b}"), middle))
+        }
+        Derived::Normal(origin, a, b) => {
+            let (from, first, second) = (at(origin)?, at(a)?, at(b)?);
+            let normal = unit(cross(sub(first, from), sub(second, from)));
+            // Points on one line have no normal: the model will be told that the axis has no direction.
+            let normal = if normal.iter().all(|x| x.is_finite()) { normal } else { [0.0; 3] };
+            Some((format!("normal to the plane through {origin}, {a} and {b}"), add(from, normal)))
+        }
+    }
+}
+
+/// A drag link to the knuckle of the right side makes the model that of the right side: all points that the file
+/// has for the left one are mirrored.
+fn on_the_side_of_the_draglink(architecture: &Architecture, draft: &mut Draft) {
+    let right = draft.position("draglink_outer").is_some_and(|place| place[1] < 0.0);
+    if !right {
+        return;
+    }
+    draft.side = Some(Side::Right);
+    let crosses =
+        |name: &str| architecture.points().iter().any(|role| role.name == name && role.may_cross);
+    for point in draft.points.iter_mut().filter(|point| point.name != "draglink_outer") {
+        if !crosses(&point.name) {
+            point.position[1] = 0.0 - point.position[1];
+        }
+    }
 }
 
 /// Chrono turns the spindle by the toe angle, + toe-in, and the camber angle, + top outboard, as we do.
@@ -109,43 +161,16 @@ fn line_parts(root: &Json, line: &Line, draft: &mut Draft, mistakes: &mut Mistak
     let (Some(from), Some(to)) = ends else { return };
     let length = norm(sub(to, from));
     let bodies = ["chassis".to_owned(), line.body.to_owned()];
-    let part = |name: &str, kind, entries, comments| Part {
-        name: name.to_owned(),
-        line: object.line,
-        called: format!(
-            "{}{}",
-            line.object,
-            if kind == "spring" || kind == "damper" { "" } else { ", stop" }
-        ),
-        kind: PartKind::Force(kind, bodies.clone()),
-        entries: [vec![("on", Value::from([upper, lower]))], entries].concat(),
-        points: vec![upper.to_owned(), lower.to_owned()],
-        comments,
-    };
-    let mut comments = vec![];
-    let damping = damper_of(object, length, &mut comments, &mut draft.left_out, mistakes);
-    let spring = spring_of(object, &mut comments, mistakes);
-    match (spring, damping) {
-        (Some(mut spring), damping) => {
-            // A spring calls its table of damping so that it is not taken for that of the force.
-            let key = |key| if key == "table" { "damping_table" } else { key };
-            spring.extend(damping.map(|(name, value)| (key(name), value)));
-            draft.add_part(part(line.name, "spring", spring, comments));
+    let on = [upper, lower];
+    for mut part in tsda(object, line.object, &bodies, on, length, &mut draft.left_out, mistakes) {
+        match part.kind {
+            PartKind::Force("damper", _) if line.name == "spring" => {
+                "damper".clone_into(&mut part.name);
+            }
+            PartKind::Force("spring" | "damper", _) => line.name.clone_into(&mut part.name),
+            _ => {}
         }
-        (None, Some(damping)) => {
-            let name = if line.name == "spring" { "damper" } else { line.name };
-            draft.add_part(part(name, "damper", vec![damping], comments));
-        }
-        (None, None) => {
-            let why = "it has neither a stiffness nor a damping that is known";
-            draft.leave_out(object.line, format!("`{}`", line.object), why);
-            return;
-        }
-    }
-    for (kind, entries) in stops_of(object, length, &mut draft.left_out, mistakes) {
-        let comment = "The stop that Chrono gives to springs with such lengths; its table is linear between the rows.";
-        let name = kind.replace('-', "_");
-        draft.add_part(part(&name, kind, entries, vec![comment.to_owned()]));
+        draft.add_part(part);
     }
 }
 
@@ -197,11 +222,12 @@ fn bushing_part(root: &Json, bushing: &Bushing, draft: &mut Draft, mistakes: &mu
 }
 
 /// Lists what nothing has asked for. Radii and widths are there for drawing.
-fn leave_out_the_rest(root: &Json, left_out: &mut Vec<LeftOut>) {
+pub(super) fn leave_out_the_rest(root: &Json, left_out: &mut Vec<LeftOut>) {
     let mut rest = vec![];
     root.unused("", NOT_USED, &mut rest);
     for item in &mut rest {
-        let drawn = ["Radius`", "Width`"].iter().any(|end| item.what.ends_with(end));
+        let drawn =
+            ["Radius`", "Width`", "Visualization`"].iter().any(|end| item.what.ends_with(end));
         if drawn {
             "it is the size of a body for drawing".clone_into(&mut item.why);
         } else if item.what == "`Axle`" {

@@ -9,6 +9,18 @@ use crate::model::{Architecture, Quantity, Side};
 /// The radius (m) that is written where a source has none.
 const ASSUMED_RADIUS: f64 = 0.3;
 
+/// Why an inertia is left out.
+pub(crate) const POINT_MASS: &str = "no body has such moments: the largest is more than the sum of the others, or one is below zero; a \
+                                     point mass is written";
+
+/// Whether no body has this inertia (SI units), though one may have this mass.
+pub(crate) fn beyond_any_body(mass: MassProperties) -> bool {
+    let mut trial = Mechanism::new("ground");
+    let id = trial.add_body("body", [0.0; 3]);
+    let mut possible = |mass| id.clone().and_then(|id| trial.set_mass(id, mass)).is_ok();
+    !possible(mass) && possible(MassProperties { inertia: [0.0; 6], ..mass })
+}
+
 impl Draft {
     /// Files of examples have inertias that no body can have, which a model must not: what remains is
     /// a point mass.
@@ -20,15 +32,9 @@ impl Draft {
                 center: body.center.map(|x| Quantity::Length.to_si(units, x)),
                 inertia: body.inertia.map(|entry| Quantity::Inertia.to_si(units, entry)),
             };
-            let mut trial = Mechanism::new("ground");
-            let id = trial.add_body("body", [0.0; 3]);
-            let possible = |mass| id.clone().and_then(|id| trial.set_mass(id, mass)).is_ok();
-            let (mut possible, point) = (possible, MassProperties { inertia: [0.0; 6], ..mass });
-            if !possible(mass) && possible(point) {
-                let why = "no body has such moments: the largest is more than the sum of the others, or one is below \
-                           zero; a point mass is written";
+            if beyond_any_body(mass) {
                 let what = format!("the inertia of {}", body.called);
-                self.left_out.push(LeftOut { line: body.line, what, why: why.to_owned() });
+                self.left_out.push(LeftOut { line: body.line, what, why: POINT_MASS.to_owned() });
                 body.inertia = [0.0; 6];
             }
         }
@@ -53,8 +59,11 @@ impl Draft {
         let points = &self.points;
         self.parts.retain(|part| {
             let missing = match &part.kind {
-                PartKind::Force(_, bodies) => {
-                    let known = |name: &&String| moving(name) || *name == architecture.ground();
+                PartKind::Force(_, bodies) | PartKind::AxleForce(_, bodies) => {
+                    let known = |name: &&String| {
+                        let name = name.strip_prefix("other.").unwrap_or(name);
+                        moving(name) || name == architecture.ground()
+                    };
                     bodies.iter().find(|name| !known(name)).map(|name| format!("body `{name}`"))
                 }
                 PartKind::Bushing(joint) => {

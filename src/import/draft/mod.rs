@@ -3,6 +3,8 @@
 mod fit;
 mod write;
 
+pub(crate) use fit::{POINT_MASS, beyond_any_body};
+
 use std::path::Path;
 
 use super::options::{Options, read_text};
@@ -97,6 +99,8 @@ pub(crate) struct Part {
 pub(crate) enum PartKind {
     /// A force element of this kind between two bodies.
     Force(&'static str, [String; 2]),
+    /// A force element between the two sides of an axle.
+    AxleForce(&'static str, [String; 2]),
     /// A bushing in the place of this joint.
     Bushing(String),
 }

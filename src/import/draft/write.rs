@@ -83,18 +83,25 @@ impl Draft {
 
 impl Part {
     fn write(&self, sheet: &mut Sheet) {
-        let called = if self.called == self.name { "" } else { &self.called };
         match &self.kind {
-            PartKind::Force(kind, [i, j]) => {
-                sheet.section("[[forces]]");
-                self.comment(sheet);
-                sheet.set("name", &Value::from(self.name.as_str()), called);
+            PartKind::Force(..) => sheet.section("[[forces]]"),
+            PartKind::AxleForce(..) => sheet.section("[[axle_forces]]"),
+            PartKind::Bushing(_) => sheet.section(&format!("[bushings.{}]", self.name)),
+        }
+        self.write_as(&self.name, sheet);
+    }
+
+    /// The keys, under this name.
+    pub(crate) fn write_as(&self, name: &str, sheet: &mut Sheet) {
+        let called = if self.called == name { "" } else { &self.called };
+        self.comment(sheet);
+        match &self.kind {
+            PartKind::Force(kind, [i, j]) | PartKind::AxleForce(kind, [i, j]) => {
+                sheet.set("name", &Value::from(name), called);
                 sheet.set("kind", &Value::from(*kind), "");
                 sheet.set("between", &Value::from([i.as_str(), j.as_str()]), "");
             }
             PartKind::Bushing(joint) => {
-                sheet.section(&format!("[bushings.{}]", self.name));
-                self.comment(sheet);
                 sheet.set("replaces", &Value::from(joint.as_str()), called);
             }
         }
