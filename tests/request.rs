@@ -2,7 +2,7 @@
 #![allow(missing_docs)]
 
 use hardpoint::design::request::{
-    Goal, Gradient, Parameter, Part, Reference, Relation, Request, Stiffness,
+    Goal, Parameter, Part, Reference, Relation, Request, Stiffness,
 };
 use hardpoint::factors::Convention;
 use hardpoint::mechanism::BodyId;
@@ -34,7 +34,7 @@ fn targets_are_read_in_si() {
         "camber",
         "rc_height",
         "anti_dive",
-        "toe_per_travel",
+        "bump_steer",
         "wheel_rate",
     ];
     assert_eq!(names, expected);
@@ -70,7 +70,6 @@ fn targets_are_read_in_si() {
     near(travels[1], 0.03);
     assert_eq!((&roll.goal, roll.states.len()), (&Goal::Hold, 11));
     assert_eq!((&anti.goal, anti.convention), (&Goal::Maximise, Convention::Lotus));
-    assert_eq!(gradient.per, Some(Gradient::Travel));
     assert_eq!(gradient.unit(model.units), "deg/m");
     assert_eq!(gradient.goal, Goal::Values(vec![(-36.0_f64).to_radians()]));
     near(gradient.tolerance, 0.1_f64.to_radians());

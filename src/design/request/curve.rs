@@ -5,7 +5,6 @@ use std::path::Path;
 
 use toml::Spanned;
 
-use super::goal::Gradient;
 use super::read::Context;
 use crate::model::read::{FromToml, Section};
 use crate::model::{
@@ -16,7 +15,6 @@ use crate::model::{
 pub(super) struct Column<'a> {
     pub(super) names: &'a [&'a str],
     pub(super) quantity: Quantity,
-    pub(super) per: Option<Gradient>,
 }
 
 /// The rows (SI) of `curve`, with increasing first values.
@@ -148,7 +146,7 @@ fn find(
     if let (None, Some(unit)) = (units, behind)
         && is_unit(unit)
     {
-        let symbol = Gradient::unit(column.per, column.quantity, own);
+        let symbol = column.quantity.symbol(own);
         let message = format!("the column `{name}` is not in {symbol} or the like");
         let span = wanted.map_or(file.span(), Spanned::span);
         report
@@ -171,7 +169,7 @@ fn units_of(symbol: &str, column: &Column, own: Units) -> Option<Units> {
     let symbol = plain(symbol.to_owned());
     let is_meant = |units: &Units| {
         let percent = column.quantity == Quantity::Percent && symbol == "pct";
-        percent || plain(Gradient::unit(column.per, column.quantity, *units)) == symbol
+        percent || plain(column.quantity.symbol(*units)) == symbol
     };
     std::iter::once(own).chain(all).find(is_meant)
 }

@@ -1,6 +1,6 @@
 //! What is wanted of a factor, and what difference counts.
 
-use crate::model::{Quantity, Units};
+use crate::model::Quantity;
 
 /// What is wanted of a factor.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,30 +22,10 @@ pub enum Goal {
     Maximise,
 }
 
-/// A target for the derivative of a factor instead of the factor.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Gradient {
-    /// By the travel of the wheel; of an axle both wheels travel.
-    Travel,
-    /// By the displacement of the rack, + along the model's +y.
-    Rack,
-}
-
-impl Gradient {
-    /// The symbol of a unit. A gradient is per metre in every file, as those of the table of factors are.
-    pub(super) fn unit(per: Option<Self>, quantity: Quantity, units: Units) -> String {
-        let symbol = quantity.symbol(units);
-        match per {
-            Some(_) => format!("{symbol}/m"),
-            None => symbol,
-        }
-    }
-}
-
 /// The difference (SI) that counts as one where a target does not say: what a designer would notice.
-pub(super) fn tolerance(quantity: Quantity, per: Option<Gradient>) -> f64 {
+pub(super) fn tolerance(quantity: Quantity) -> f64 {
     let degree = 1.0_f64.to_radians();
-    let of_factor = match quantity {
+    match quantity {
         Quantity::Length | Quantity::LengthByG => 1e-4,
         Quantity::Angle | Quantity::AngleByG => 0.01 * degree,
         Quantity::Gradient => 0.1 * degree,
@@ -62,7 +42,5 @@ pub(super) fn tolerance(quantity: Quantity, per: Option<Gradient>) -> f64 {
         Quantity::Mass | Quantity::Inertia | Quantity::Time => 0.1,
         Quantity::Velocity | Quantity::Acceleration => 1e-3,
         Quantity::AngularVelocity | Quantity::AngularAcceleration => 0.1 * degree,
-    };
-    // A gradient counts where it makes the difference within 100 mm.
-    per.map_or(of_factor, |_| 10.0 * of_factor)
+    }
 }

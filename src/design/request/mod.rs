@@ -26,7 +26,7 @@ use toml::Spanned;
 pub use angle::{AngleLimit, Reference};
 pub use attached::End;
 pub use clearance::{Clearance, Part, Round};
-pub use goal::{Goal, Gradient};
+pub use goal::Goal;
 pub use limits::Limits;
 pub use packaging::PackagingBox;
 pub use parameter::{Parameter, Stiffness};

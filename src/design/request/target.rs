@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use super::Place;
 use super::curve::{self, Column};
-use super::goal::{self, Goal, Gradient};
+use super::goal::{self, Goal};
 use super::read::{Context, flag, positive, sections};
 use super::state::Course;
 use crate::factors::{Convention, Factor, find};
@@ -34,8 +34,6 @@ pub struct Target {
     pub convention: Convention,
     /// Of which wheel.
     pub side: Side,
-    /// Whether its derivative is meant, and by what.
-    pub per: Option<Gradient>,
     /// What is wanted.
     pub goal: Goal,
     /// What changes from state to state; `None` where there is one state only.
@@ -56,21 +54,28 @@ pub struct Target {
 impl Target {
     /// The symbol of the unit of its values.
     pub fn unit(&self, units: Units) -> String {
-        Gradient::unit(self.per, self.factor.quantity, units)
+        self.factor.quantity.symbol(units)
     }
 
-    /// A value (SI) in the units of a model; a gradient is per metre.
+    /// How far (SI) a value at one of the states is off what is wanted, by its place; of a band what lies outside. What
+    /// is held is wanted as it was before. `None` without a value.
+    pub fn off(&self, state: usize, value: Option<f64>, before: Option<f64>) -> Option<f64> {
+        let value = value?;
+        Some(match &self.goal {
+            Goal::Values(values) => value - values[state],
+            Goal::Hold => value - before?,
+            Goal::Band { min, max } => {
+                let below = min.map_or(0.0, |min| (value - min).min(0.0));
+                let above = max.map_or(0.0, |max| (value - max).max(0.0));
+                below + above
+            }
+            Goal::Minimise | Goal::Maximise => 0.0,
+        })
+    }
+
+    /// A value (SI) in the units of a model.
     pub fn show(&self, units: Units, value: f64) -> f64 {
         self.factor.quantity.show(units, value)
-    }
-
-    /// The factor as a request calls it.
-    fn title(&self) -> String {
-        match self.per {
-            None => self.factor.name.to_owned(),
-            Some(Gradient::Travel) => format!("{}_per_travel", self.factor.name),
-            Some(Gradient::Rack) => format!("{}_per_rack", self.factor.name),
-        }
     }
 }
 
@@ -113,7 +118,7 @@ pub(super) fn read(root: &mut Section, context: &Context, report: &mut Report) -
     // Names that are given come first, so that they stay whatever else is in the file.
     for index in 0..targets.len() {
         if targets[index].name.is_empty() {
-            let title = targets[index].title();
+            let title = targets[index].factor.name.to_owned();
             let free = |name: &String| targets.iter().all(|other| other.name != *name);
             let numbered = (2..).map(|number| format!("{title}_{number}"));
             let name = std::iter::once(title.clone()).chain(numbered).find(free);
@@ -131,14 +136,6 @@ fn target(section: &mut Section, context: &Context, report: &mut Report) -> Opti
     let convention =
         section.choice_or("convention", "convention", &conventions, Convention::Iso, report);
     let side = section.choice_or("side", "side", Side::CHOICES, context.model.side, report);
-    let gradients = [("travel", Some(Gradient::Travel)), ("rack", Some(Gradient::Rack))];
-    let per = section.choice_or("per", "motion", &gradients, None, report);
-    if per == Some(Some(Gradient::Rack)) && !context.model.steers() {
-        let span = section.value("per").map_or(section.span(), Spanned::span);
-        report
-            .mistake(&span, "the model has no rack", "by the rack")
-            .help("write `per = \"travel\"`");
-    }
     let kind = goal_key(section, report);
     if kind == Some("curve") {
         section.value("x");
@@ -146,14 +143,12 @@ fn target(section: &mut Section, context: &Context, report: &mut Report) -> Opti
     }
     let course = Course::read(section, context, kind == Some("curve"), report);
     let quantity = factor.map_or(Quantity::Ratio, |factor| factor.quantity);
-    let per_known = per.flatten();
-    let (goal, states) =
-        goal(section, kind, factor, (quantity, per_known), course.as_ref(), context, report);
+    let (goal, states) = goal(section, kind, factor, course.as_ref(), context, report);
     let weight = positive(section, "weight", report);
     let tolerance = positive(section, "tolerance", report);
     let tolerance = match tolerance {
         Some(tolerance) => context.si(quantity, tolerance.into_inner()),
-        None => goal::tolerance(quantity, per_known),
+        None => goal::tolerance(quantity),
     };
     let hard = hard(section, kind, report);
     let (goal, states) = (goal?, states?);
@@ -163,7 +158,6 @@ fn target(section: &mut Section, context: &Context, report: &mut Report) -> Opti
         factor: factor?,
         convention: convention?,
         side: side?,
-        per: per?,
         goal,
         event: course?.event,
         states,
@@ -212,11 +206,11 @@ fn goal(
     section: &mut Section,
     kind: Option<&'static str>,
     factor: Option<&'static Factor>,
-    (quantity, per): (Quantity, Option<Gradient>),
     course: Option<&Course>,
     context: &Context,
     report: &mut Report,
 ) -> (Option<Goal>, Option<Vec<State>>) {
+    let quantity = factor.map_or(Quantity::Ratio, |factor| factor.quantity);
     let states = course.map(|course| course.states(None));
     let number = |section: &mut Section, key, report: &mut Report| {
         let number = section.optional::<f64>(key, report)?;
@@ -245,8 +239,8 @@ fn goal(
             };
             let own = [factor.map_or("", |factor| factor.name)];
             let columns = [
-                Column { names, quantity: course.quantity, per: None },
-                Column { names: &own, quantity, per },
+                Column { names, quantity: course.quantity },
+                Column { names: &own, quantity },
             ];
             let Some(rows) = curve::read(section, &columns, context, report) else {
                 return (None, None);
