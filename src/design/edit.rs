@@ -1,12 +1,13 @@
 //! New numbers in the text of a model file. Everything else of it stays, byte for byte.
 
 use std::ops::Range;
+use std::path::Path;
 
 use thiserror::Error;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::model::{Model, ModelDiagnostics, Quantity, Side};
+use crate::model::{Model, ModelDiagnostics, Quantity, Side, read_file};
 
 /// Decimals of the numbers that are written, in the units of the file.
 const DECIMALS: usize = 6;
@@ -51,6 +52,15 @@ pub enum EditError {
 }
 
 impl ModelText {
+    /// Reads the text of a model file.
+    ///
+    /// # Errors
+    /// [`ModelDiagnostics`] where the file cannot be read or is not that of a model.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, ModelDiagnostics> {
+        let (name, text) = read_file(path.as_ref())?;
+        Self::new(&name, &text)
+    }
+
     /// The text of a model file; `name` is its path, which messages show.
     ///
     /// # Errors

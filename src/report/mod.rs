@@ -11,6 +11,7 @@ mod lotus;
 mod programme;
 mod settle;
 mod statics;
+mod synthesis;
 mod table;
 
 pub use adjustments::write_adjustments;
@@ -22,6 +23,7 @@ pub use lotus::LotusReport;
 pub use programme::{ProgrammeSummary, StageResult};
 pub use settle::{SettleReport, SettleRow};
 pub use statics::StaticsReport;
+pub use synthesis::SynthesisReport;
 
 use crate::factors::{Convention, Definition, Factor, basic};
 use crate::model::{Axes, Drive, LoadCases, Quantity, Side, Units};

@@ -18,6 +18,8 @@ pub enum Failure {
     Model(ModelDiagnostics),
     /// The model makes no mechanism that moves.
     Rig(String, Box<RigError>),
+    /// What is asked of a model does not go with it.
+    Input(String, String),
     /// There is no static equilibrium; the axes are those of the model.
     Static(String, StaticFailure, Axes),
     /// A wheel has no compliance.
@@ -30,6 +32,8 @@ pub enum Failure {
     Missed(Vec<Missed>, String),
     /// What several events did not reach, in words.
     Incomplete(Vec<String>, String),
+    /// No design meets all targets; says which are missed, or what contradicts each other.
+    Unmet(String),
     /// A file or pipe that cannot be written; says which.
     Output(String, io::Error),
     /// Options that do not fit together.
@@ -58,6 +62,10 @@ impl Failure {
                 eprintln!("error: {model}: {error}");
                 ExitCode::from(1)
             }
+            Self::Input(model, message) => {
+                eprintln!("error: {model}: {message}");
+                ExitCode::from(1)
+            }
             Self::Static(model, failure, axes) => no_motion(&model, &failure, axes),
             Self::Compliance(model, error, axes) => no_motion(&model, &error, axes),
             Self::Motion(model, failure, axes) => no_motion(&model, &failure, axes),
@@ -81,6 +89,10 @@ impl Failure {
                 }
                 eprintln!("{rows}");
                 ExitCode::from(3)
+            }
+            Self::Unmet(words) => {
+                eprintln!("{}", words.trim_end());
+                ExitCode::from(4)
             }
             // A reader that has seen enough, such as `head`, is no failure.
             Self::Output(_, error) if error.kind() == io::ErrorKind::BrokenPipe => {

@@ -19,6 +19,7 @@ mod settings;
 mod settle;
 mod steering;
 mod sweep;
+mod synthesize;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -45,7 +46,8 @@ Exit codes:
   0  done
   1  wrong input: the message says where and what to do
   2  wrong usage
-  3  the mechanism stopped before the end of the event, or has no equilibrium; the states before it are written";
+  3  the mechanism stopped before the end of the event, or has no equilibrium; the states before it are written
+  4  no design meets all targets: the message says which are missed, or which limits contradict each other";
 
 #[derive(Subcommand)]
 enum Command {
@@ -61,6 +63,7 @@ enum Command {
     Rig(rig::Rig),
     Settle(settle::Settle),
     Sweep(sweep::Sweep),
+    Synthesize(synthesize::Synthesize),
 }
 
 fn main() -> ExitCode {
@@ -77,6 +80,7 @@ fn main() -> ExitCode {
         Command::Rig(command) => command.run(),
         Command::Settle(command) => command.run(),
         Command::Sweep(command) => command.run(),
+        Command::Synthesize(command) => command.run(),
     };
     done.map_or_else(Failure::report, |()| ExitCode::SUCCESS)
 }

@@ -7,19 +7,22 @@
 
 mod goals;
 mod limits;
+mod measure;
 mod problem;
+mod rolling;
 mod search;
 mod trial;
 mod verdict;
 
 use thiserror::Error;
 
-pub use verdict::{Held, Unmet, Verdict};
+pub use measure::{Measured, measure};
+pub use verdict::{Held, Unmet, Verdict, judge};
 
 use super::parameter::Parameter;
 use super::request::Request;
 use crate::factors::Need;
-use crate::model::{Model, Setup};
+use crate::model::{Chassis, Model, Setup};
 use crate::rig::{Axle, Corner, RigError, Variable, VaryError};
 use crate::solve::Stop;
 use crate::solve::sensitivity::SensitivityError;
@@ -44,7 +47,19 @@ pub enum Obstacle {
     /// The specimen cannot be made.
     #[error(transparent)]
     Rig(RigError),
+    /// There is nothing to roll about.
+    #[error(
+        "the axle has no static roll centre to roll about: it is at infinity, or the wheels do not move; \
+         leave the targets of roll out, or use `event = \"opposite\"`"
+    )]
+    NoRollCenter,
 }
+
+/// A roll axis that moves by less than this (m) stays.
+const AXIS_STAYS: f64 = 1e-6;
+
+/// A design is sought so often about its own roll axis.
+const ROLLS: usize = 4;
 
 /// What became of a request.
 #[derive(Clone, Debug)]
@@ -72,11 +87,24 @@ pub struct Synthesis {
 /// # Errors
 /// [`Obstacle`] where the model itself cannot be evaluated.
 pub fn synthesize(request: &Request, model: &Model, setup: &Setup) -> Result<Synthesis, Obstacle> {
-    if request.needs_axle(model) {
-        run(request, model, || Axle::new(model, setup))
-    } else {
-        run(request, model, || Corner::new(model, setup))
+    if !request.needs_axle(model) {
+        return run(request, model, || Corner::new(model, setup));
     }
+    let mut setup = rolling::setup_for(request, model, setup)?;
+    let mut found = run(request, model, || Axle::new(model, &setup))?;
+    for _ in 1..ROLLS {
+        let (Chassis::Roll { axis }, Verdict::Met | Verdict::Compromise { .. }) =
+            (setup.chassis, &found.verdict)
+        else {
+            break;
+        };
+        setup = rolling::setup_of_design(request, model, &setup, &found.values)?;
+        if matches!(setup.chassis, Chassis::Roll { axis: new } if (new - axis).abs() < AXIS_STAYS) {
+            break;
+        }
+        found = run(request, model, || Axle::new(model, &setup))?;
+    }
+    Ok(found)
 }
 
 fn run<V: Variable>(

@@ -2,7 +2,7 @@
 
 use super::goals::Kind;
 use super::problem::Task;
-use crate::design::request::{Goal, Request};
+use crate::design::request::Request;
 use crate::design::sqp::{ActiveSide, Member, Outcome, Status};
 use crate::model::Model;
 use crate::rig::Variable;
@@ -75,33 +75,32 @@ pub(super) fn verdict<V: Variable>(
             Verdict::Unfinished
         }
         Status::Converged(_) | Status::Stalled(_) | Status::Iterations(_) => {
-            let unmet = unmet(request, task, after);
-            if unmet.is_empty() { Verdict::Met } else { Verdict::Compromise { unmet } }
+            judge(request, &task.before, after)
         }
     }
 }
 
-/// The targets that are off by more than their tolerance.
-fn unmet<V: Variable>(
+/// Whether a design that keeps all limits meets all targets. `before` has the factors (SI) of the model and `after` those
+/// of the design, target by target and state by state.
+pub fn judge(
     request: &Request,
-    task: &Task<'_, V>,
+    before: &[Vec<Option<f64>>],
+    after: &[Vec<Option<f64>>],
+) -> Verdict {
+    let unmet = unmet(request, before, after);
+    if unmet.is_empty() { Verdict::Met } else { Verdict::Compromise { unmet } }
+}
+
+/// The targets that are off by more than their tolerance.
+fn unmet(
+    request: &Request,
+    before: &[Vec<Option<f64>>],
     after: &[Vec<Option<f64>>],
 ) -> Vec<Unmet> {
     let mut list = vec![];
     for (index, target) in request.targets.iter().enumerate() {
-        let off = |k: usize, value: Option<f64>| match &target.goal {
-            Goal::Values(values) => value.map_or(f64::INFINITY, |value| value - values[k]),
-            Goal::Hold => {
-                let before = task.before[index][k];
-                value.zip(before).map_or(f64::INFINITY, |(value, before)| value - before)
-            }
-            Goal::Band { min, max } => {
-                let value = value.unwrap_or(f64::INFINITY);
-                let below = min.map_or(0.0, |min| (value - min).min(0.0));
-                let above = max.map_or(0.0, |max| (value - max).max(0.0));
-                below + above
-            }
-            Goal::Minimise | Goal::Maximise => 0.0,
+        let off = |k: usize, value: Option<f64>| {
+            target.off(k, value, before[index][k]).unwrap_or(f64::INFINITY)
         };
         let states = after[index].iter().enumerate().map(|(k, value)| off(k, *value));
         let worst =
