@@ -11,7 +11,7 @@ use super::stand::Stand;
 use super::station::Station;
 use super::sweep::Specimen;
 use super::target::{Supports, Target};
-use crate::mechanism::{DriverId, Force};
+use crate::mechanism::{DriverId, Force, Mechanism};
 use crate::model::{AxleSide, AxleSuspension, Model, Rolling, Setup, Side, Steering, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::compliance::ComplianceError;
@@ -315,6 +315,10 @@ impl Specimen for Axle {
 
     fn reset(&mut self) {
         Self::reset(self);
+    }
+
+    fn mechanism(&self) -> &Mechanism {
+        self.stand.mechanism()
     }
 
     fn poses(&mut self) -> Vec<Pose<f64>> {

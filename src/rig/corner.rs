@@ -12,7 +12,7 @@ use super::stand::Stand;
 use super::station::Station;
 use super::sweep::Specimen;
 use super::target::{Supports, Target};
-use crate::mechanism::{Force, MechanismError};
+use crate::mechanism::{Force, Mechanism, MechanismError};
 use crate::model::{Model, Setup, Steering, Suspension, SuspensionError, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::compliance::ComplianceError;
@@ -276,6 +276,10 @@ impl Specimen for Corner {
 
     fn reset(&mut self) {
         Self::reset(self);
+    }
+
+    fn mechanism(&self) -> &Mechanism {
+        self.stand.mechanism()
     }
 
     fn poses(&mut self) -> Vec<Pose<f64>> {

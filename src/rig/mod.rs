@@ -19,6 +19,7 @@ mod stand;
 mod station;
 mod sweep;
 mod target;
+mod watch;
 
 pub use crate::model::LOAD_COMPONENTS;
 pub use adjust::{AdjustError, Adjustment, OutOfReach};
@@ -32,5 +33,6 @@ pub use load::{Load, LoadPoint};
 pub use pose::{Design, Motion, Motions, OtherWheel, Pose, TyreState, WheelCompliance, WheelLoad};
 pub use rates::Rates;
 pub use stand::Stand;
-pub use sweep::{Missed, Row, Specimen, Sweep};
+pub use sweep::{Missed, Place, Row, Specimen, Sweep};
 pub use target::{Event, Held, Supports, SweepPlan, Target, Vertical};
+pub use watch::{Danger, Fastest, NEARLY_DEAD, Warning, Watch};

@@ -5,6 +5,7 @@ use super::line::{Line, Wheel};
 use super::pose::{Design, Motion, Motions, Pose, TyreState, WheelLoad};
 use super::rates::Rates;
 use super::stand::Stand;
+use super::watch::Fastest;
 use crate::mechanism::{BodyId, DriverId, ForceId, Law, Mechanism, PointId};
 use crate::model::{
     self, Axes, AxleSuspension, Chassis, Drive, Model, Setup, Side, SteerAxis, StrutLine,
@@ -44,6 +45,8 @@ pub(super) struct Station {
     home: Option<Home>,
     /// Where the parameters are that say where the steer axis meets its bodies, where adjusters change them.
     adjusted: [Option<usize>; 2],
+    /// What may be fast near a dead centre: the joints of moving bodies, the seats of springs, the wheel centre.
+    joints: Vec<(BodyId, PointId)>,
 }
 
 impl Station {
@@ -68,6 +71,7 @@ impl Station {
             tyre_law: model.tyre_law().cloned(),
             home: None,
             adjusted: [None; 2],
+            joints: vec![],
         }
     }
 
@@ -95,6 +99,7 @@ impl Station {
             tyre_law: model.tyre_law().cloned(),
             home: None,
             adjusted: [None; 2],
+            joints: vec![],
         }
     }
 
@@ -103,7 +108,11 @@ impl Station {
         let expansion = stand.system().expansion();
         let place = |(point, body)| expansion.adjusted_place(body, point);
         let adjusted = self.steer_axis.map(|axis| [axis.lower, axis.upper].map(place));
-        Self { home, adjusted: adjusted.unwrap_or_default(), ..self }
+        let mut joints = stand.mechanism().held_points();
+        let struts = self.spring.iter().chain(&self.damper).flat_map(|strut| strut.ends);
+        joints.extend(struts.chain([(self.wheel.center, self.wheel.body)]).map(|(p, b)| (b, p)));
+        joints.retain(|(body, _)| ![BodyId::GROUND, self.chassis].contains(body));
+        Self { home, adjusted: adjusted.unwrap_or_default(), joints, ..self }
     }
 
     /// Whether a motion moves the wheel, its steer axis or its spring.
@@ -283,7 +292,17 @@ impl Station {
             }),
             spring: self.spring.map(|spring| Line::through(spring.ends.map(velocity))),
             damper: self.damper.map(|damper| Line::through(damper.ends.map(velocity))),
+            fastest: if driver == self.travel { self.fastest(velocity) } else { None },
         })
+    }
+
+    /// The fastest joint of the mechanism, by the velocities of points.
+    fn fastest(&self, velocity: impl Fn((PointId, BodyId)) -> [f64; 3]) -> Option<Fastest> {
+        let speeds = self.joints.iter().map(|&(body, point)| {
+            let ratio = norm(velocity((point, body)));
+            Fastest { body, point, ratio }
+        });
+        speeds.max_by(|a, b| a.ratio.total_cmp(&b.ratio))
     }
 
     /// The tyre under a vertical load.
