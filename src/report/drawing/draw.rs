@@ -66,10 +66,7 @@ impl Figure {
     /// The ground, and the middle of the vehicle where it is in the view.
     fn references(&self, frame: &Frame) -> Vec<[[f64; 2]; 2]> {
         let [[left, top], [right, bottom]] = frame.corners();
-        let [x, y] = match frame.view {
-            View::Side(_) => frame.on_sheet([0.0, 0.0, self.ground]),
-            View::Front | View::Top => frame.on_sheet([0.0, 0.0, self.ground]),
-        };
+        let [x, y] = frame.on_sheet([0.0, 0.0, self.ground]);
         let mut lines = vec![];
         if !matches!(frame.view, View::Top) {
             lines.push([[left - 8.0, y], [right + 8.0, y]]);
@@ -96,9 +93,8 @@ impl Figure {
             }
         }
         let [low, high] = frame.corners();
-        let inside = [low.map(|low| low - BESIDE), high.map(|high| high + BESIDE)];
         // The title is above.
-        let inside = [[inside[0][0], low[1] - 14.0], inside[1]];
+        let inside = [[low[0] - BESIDE, low[1] - 14.0], high.map(|high| high + BESIDE)];
         let marks = self.marks.iter().map(|mark| frame.on_sheet(mark.place)).collect();
         let mut obstacles = Obstacles::new(marks, lines, inside);
         for (at, mut numbers) in labels {

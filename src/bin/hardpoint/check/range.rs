@@ -95,13 +95,12 @@ impl Page<'_> {
     fn write_clearances(&self, writer: &mut dyn Write, all: &[Clearance]) -> io::Result<()> {
         let asked = self.length(self.asked);
         let near = all.iter().filter(|clearance| clearance.distance < self.asked).count();
-        match near {
-            0 => writeln!(writer, "  no two links come nearer than {asked} (middle lines)")?,
-            1 => writeln!(writer, "  two links come nearer than {asked} (middle lines)")?,
-            _ => {
-                writeln!(writer, "  {near} pairs of links come nearer than {asked} (middle lines)")?
-            }
-        }
+        let what = match near {
+            0 => "no two links come".to_owned(),
+            1 => "two links come".to_owned(),
+            _ => format!("{near} pairs of links come"),
+        };
+        writeln!(writer, "  {what} nearer than {asked} (middle lines)")?;
         if all.is_empty() {
             return Ok(());
         }
