@@ -51,6 +51,7 @@
 //! for that. Without it the committed kernels, the same text, are compiled.
 
 pub mod assembly;
+pub mod design;
 pub mod energy;
 pub mod export;
 pub mod factors;

@@ -1,0 +1,3 @@
+//! What the designer asks for: hard points that give the wanted factors.
+
+pub mod sqp;
