@@ -42,6 +42,22 @@ fn the_conflicting_pair_is_named_among_others() {
 }
 
 #[test]
+fn one_of_equal_limits_is_enough_for_a_conflict() {
+    // The multipliers are shared among the first three, any one of which contradicts the last.
+    let f = |x: &[Dual64]| values(vec![x[0], x[1]], vec![x[0], x[0], x[0], x[1], x[0]]);
+    let lower = (3.0, f64::INFINITY);
+    let limits = [lower, lower, lower, (0.0, 1.0), (f64::NEG_INFINITY, 1.0)];
+    let outcome = Stated::new(&[FREE; 2], &limits, f).solve(&[0.0, 0.5]);
+    let found = conflict(&outcome);
+    let shared = (0..3).filter(|&i| found.multipliers[i] > 0.01).count();
+    assert_eq!(shared, 3, "{found:?}");
+    let [Member::Constraint(first, ActiveSide::Lower), last] = found.members[..] else {
+        panic!("{found:?}");
+    };
+    assert!(first < 3 && last == Member::Constraint(4, ActiveSide::Upper), "{found:?}");
+}
+
+#[test]
 fn bounds_take_part_in_conflicts() {
     let f = |x: &[Dual64]| values(vec![x[0], x[1], x[2]], vec![x[0] + x[1], x[2] - x[0]]);
     let mut stated = Stated::new(&[(0.0, 3.0), (-5.0, 3.0), FREE], &[(10.0, 20.0), ZERO], f);

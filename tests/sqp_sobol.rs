@@ -23,6 +23,15 @@ fn the_sequence_of_sobol_is_the_published_one() {
     let far = Sobol::new(64).expect("64 are there").nth(1000).expect("a long sequence");
     let far = [1, 9, 32, 63].map(|dimension| far[dimension]);
     assert_eq!(far, [0.0966796875, 0.0693359375, 0.2958984375, 0.4462890625]);
+    // The points whose Gray codes have one bit are the direction numbers; this sum sees all of them.
+    let points: Vec<Vec<f64>> = Sobol::new(64).expect("64 are there").take(4096).collect();
+    let weighted = |bit: usize, (d, value): (usize, &f64)| ((bit + 1) * (d + 1)) as f64 * value;
+    let sum: f64 = (0..12)
+        .flat_map(|bit| {
+            points[(2 << bit) - 1].iter().enumerate().map(move |pair| weighted(bit, pair))
+        })
+        .sum();
+    assert_eq!(sum, 83050.341796875);
     assert_eq!(Sobol::new(65).err(), Some(TooManyDimensions(65)));
 }
 
