@@ -321,12 +321,26 @@ fn corners_of_whole_axles_are_refused() {
 #[test]
 fn the_suspension_of_ones_own_is_right() {
     let text = fs::read_to_string(path("docs/architectures.md")).unwrap().replace("\r\n", "\n");
-    let (_, rest) = text.split_once("```toml\n").unwrap();
-    let (example, _) = rest.split_once("```").unwrap();
-    let own = Architecture::parse("swing-axle.toml", example)
+    let examples: Vec<&str> = text.split("```toml\n").skip(1).collect();
+    let example = |number: usize| examples[number].split_once("```").unwrap().0;
+    let own = Architecture::parse("swing-axle.toml", example(0))
         .unwrap_or_else(|e| panic!("{}", e.render()));
     assert_eq!(own.bushed_joints().collect::<Vec<_>>(), ["arm_pivot"]);
     assert!(!own.is_axle());
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("swing-axle.toml"), example(0)).unwrap();
+    let car = folder.path().join("my-car.toml");
+    fs::write(&car, example(1)).unwrap();
+    let car = Model::load(car).unwrap_or_else(|e| panic!("{}", e.render()));
+    let (mechanism, drivers, _) = rigid(&car);
+    let mut system = System::new(mechanism).unwrap();
+    assert!(system.freedom().is_exact());
+    // The wheel goes on a circle about the pivots.
+    for travel in [-0.08, 0.08] {
+        system.move_to(&[(drivers[0], travel)]).unwrap();
+        let [_, y, z] = joints::place(&system, "arm", "wheel_center");
+        assert!((z - travel).abs() < 1e-12 && ((y - 0.12).hypot(z) - 0.58).abs() < 1e-12);
+    }
 }
 
 /// The rack of an architecture with a pitman arm: the joint at its end goes along y as prescribed, on a circle

@@ -83,6 +83,7 @@ fn replaced<S: Scalar>(pose: &Pose<f64>, new: &mut impl FnMut(f64) -> S) -> Pose
             steer_axis: motion.steer_axis.map(|rates| line(rates, new)),
             spring: motion.spring.map(|rates| line(rates, new)),
             damper: motion.damper.map(|rates| line(rates, new)),
+            fastest: motion.fastest,
         }
     }
     Pose {

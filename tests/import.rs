@@ -5,7 +5,7 @@ use std::fs;
 
 use hardpoint::export::{self, Format};
 use hardpoint::import::{self, Imported, Options};
-use hardpoint::model::{Axes, Axle, Document, LengthUnit, Model, Setup, Side};
+use hardpoint::model::{Architecture, Axes, Axle, Document, LengthUnit, Model, Setup, Side};
 use hardpoint::rig::{Corner, Event, Held, Sweep, SweepPlan};
 use hardpoint::solve::System;
 
@@ -466,6 +466,52 @@ fn hard_points_come_back_from_a_subsystem_with_the_same_bits() {
             assert_eq!(table(&third)[section], table(&imported)[section], "{name}");
         }
         assert_eq!(before.vehicle.axle, after.vehicle.axle, "{name}");
+    }
+}
+
+/// All architectures, those without a template of the shared database, too: the subsystem names one after the
+/// architecture, from which it is known again.
+#[test]
+fn every_architecture_comes_back_from_a_subsystem() {
+    for name in Architecture::built_in_names() {
+        let path = format!("models/{name}.toml");
+        let text = read(&path);
+        let exported = export::export(&path, &text, Format::Adams).unwrap();
+        let told = exported.left_out.iter().any(|what| what.starts_with("bodies and joints"));
+        assert_eq!(told, !["double-wishbone", "macpherson"].contains(&name), "{name}");
+        let imported = import::import("rear.sub", &exported.text).unwrap();
+        let (before, after) = (Model::parse(&path, &text).unwrap(), model(&imported));
+        assert_eq!(before.architecture.title(), after.architecture.title(), "{name}");
+        assert!(after.points().len() >= before.architecture.points().len(), "{name}");
+        for point in after.points() {
+            assert_eq!(before.point(&point.name), Some(point.position), "{name}: {}", point.name);
+        }
+    }
+}
+
+/// What both sides have together, such as a Panhard rod, stays where it is: only points of one side are mirrored.
+#[test]
+fn shared_points_of_a_right_side_are_not_mirrored() {
+    let path = "models/solid-axle-panhard.toml";
+    let left = read(path);
+    let mut table: toml::Table = left.parse().unwrap();
+    table["side"] = "right".into();
+    let own = Model::parse(path, &left).unwrap();
+    for (name, place) in table["points"].as_table_mut().unwrap() {
+        if !own.architecture.points().iter().any(|role| role.name == *name && role.may_cross) {
+            let y = place[1].as_float().unwrap();
+            place[1] = (0.0 - y).into();
+        }
+    }
+    let exported = export::export("right.toml", &table.to_string(), Format::Adams).unwrap();
+    assert!(
+        exported.text.contains("'panhard_axle            '  'single    '"),
+        "{}",
+        exported.text
+    );
+    let imported = model(&import::import("right.sub", &exported.text).unwrap());
+    for point in imported.points() {
+        assert_eq!(own.point(&point.name), Some(point.position), "{}", point.name);
     }
 }
 

@@ -298,6 +298,13 @@ impl Parameter {
         }
     }
 
+    /// Moves a coordinate of a shape by a way (m) along the axis of the model.
+    pub(super) fn shift(&self, model: &Model, shape: &mut Shape<f64>, way: f64) {
+        if let Kind::Coordinate { point, axis } = self.kind {
+            shape.points[point][axis] += model.axes.signs()[axis] * way;
+        }
+    }
+
     /// What a derivative of a factor by this parameter is multiplied with to be shown, and its unit.
     pub fn show(&self, units: Units, factor: Quantity, derivative: f64) -> f64 {
         factor.show(units, derivative) / self.quantity.show(units, 1.0)

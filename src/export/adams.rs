@@ -6,10 +6,9 @@ use super::{Exported, Suspension};
 use crate::import::{adams_name, of_architecture};
 use crate::model::{AngleUnit, Axes, ForceUnit, LengthUnit, MassUnit, Side};
 
-/// `None` where no template is known for the architecture.
-pub(super) fn write(suspension: &Suspension) -> Option<Exported> {
+pub(super) fn write(suspension: &Suspension) -> Exported {
     let architecture = suspension.text(&["architecture"]);
-    let template = of_architecture(architecture)?;
+    let (template, is_shared) = of_architecture(architecture);
     let role = suspension.model.vehicle.axle.map_or("any", |axle| axle.name());
     let mut text = String::new();
     block(
@@ -17,20 +16,21 @@ pub(super) fn write(suspension: &Suspension) -> Option<Exported> {
         "MDI_HEADER",
         &[("FILE_TYPE", "'sub'"), ("FILE_VERSION", "4.0"), ("FILE_FORMAT", "'ASCII'")],
     );
-    let template = format!("'mdids://acar_shared/templates.tbl/{template}.tpl'");
+    let database = if is_shared { "acar_shared" } else { "private" };
+    let path = format!("'mdids://{database}/templates.tbl/{template}.tpl'");
     let role = format!("'{role}'");
-    let header = [
-        ("TEMPLATE_NAME", template.as_str()),
-        ("MAJOR_ROLE", "'suspension'"),
-        ("MINOR_ROLE", &role),
-    ];
+    let header =
+        [("TEMPLATE_NAME", path.as_str()), ("MAJOR_ROLE", "'suspension'"), ("MINOR_ROLE", &role)];
     block(&mut text, "SUBSYSTEM_HEADER", &header);
     block(&mut text, "UNITS", &units(suspension));
     block(&mut text, "HARDPOINT", &[]);
     let _ = writeln!(text, "{{hardpoint_name  symmetry  x_value  y_value  z_value}}");
     for (name, position) in suspension.points() {
-        let [x, y, z] = left(suspension, position);
-        let symmetry = if y == 0.0 { "single" } else { "left/right" };
+        let roles = suspension.model.architecture.points();
+        let is_single =
+            position[1] == 0.0 || roles.iter().any(|role| role.name == name && role.may_cross);
+        let [x, y, z] = left(suspension, position, is_single);
+        let symmetry = if is_single { "single" } else { "left/right" };
         let name = adams_name(architecture, name);
         let _ = writeln!(text, " '{name:<24}'  '{symmetry:<10}'  {x:?}  {y:?}  {z:?}");
     }
@@ -41,7 +41,13 @@ pub(super) fn write(suspension: &Suspension) -> Option<Exported> {
     }
     let mut left_out = suspension.other_sections(&["points", "units", "wheel"]);
     left_out.push("the wheel radius: in Adams/Car it belongs to the wheel subsystem".to_owned());
-    Some(Exported { text, left_out })
+    if !is_shared {
+        left_out.push(format!(
+            "bodies and joints: in Adams/Car they belong to the template; `{template}.tpl` with these hard points is \
+             one of your own"
+        ));
+    }
+    Exported { text, left_out }
 }
 
 fn block(text: &mut String, name: &str, keys: &[(&str, &str)]) {
@@ -78,11 +84,13 @@ fn units(suspension: &Suspension) -> [(&'static str, &'static str); 5] {
     [("LENGTH", length), ("ANGLE", angle), ("FORCE", force), ("MASS", mass), ("TIME", "'second'")]
 }
 
-/// A point of the file as Adams/Car has it: x rearward, y right, z up, on the left side.
-fn left(suspension: &Suspension, position: [f64; 3]) -> [f64; 3] {
+/// A point of the file as Adams/Car has it: x rearward, y right, z up, on the left side; one that both sides have
+/// together stays where it is.
+fn left(suspension: &Suspension, position: [f64; 3], is_single: bool) -> [f64; 3] {
     let model = suspension.model;
     let (from, to) = (model.axes.signs(), Axes::Adams.signs());
-    let mirror = [1.0, if model.side == Side::Right { -1.0 } else { 1.0 }, 1.0];
+    let mirrors = model.side == Side::Right && !is_single;
+    let mirror = [1.0, if mirrors { -1.0 } else { 1.0 }, 1.0];
     // Adding zero turns −0 into 0.
     std::array::from_fn(|axis| position[axis] * from[axis] * to[axis] * mirror[axis] + 0.0)
 }

@@ -55,12 +55,7 @@ pub fn export(name: &str, text: &str, format: Format) -> Result<Exported, ModelD
     };
     let suspension = Suspension { table: &table, model: &model };
     match format {
-        Format::Adams => adams::write(&suspension).ok_or_else(|| {
-            refuse(
-                "no template of Adams/Car is known for its architecture",
-                "export it with --to csv",
-            )
-        }),
+        Format::Adams => Ok(adams::write(&suspension)),
         _ => Ok(csv::write(&suspension)),
     }
 }

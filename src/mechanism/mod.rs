@@ -24,6 +24,7 @@ mod labels;
 mod law;
 mod recipe;
 mod renumber;
+mod skeleton;
 mod slots;
 mod spline;
 mod topology;

@@ -54,8 +54,6 @@ pub use suspension::{StrutLine, Suspension, Wheel};
 pub use units::{AngleUnit, ForceUnit, LengthUnit, MassUnit, Units};
 pub use vehicle::{Axle, Brakes, Vehicle};
 
-pub(crate) use parts::joint_points;
-
 use crate::mechanism::{Force, MassProperties};
 use crate::vector::{add, scale, sub, unit};
 use loads::Loads;

@@ -160,11 +160,16 @@ fn place(
         let meant = suggest::closest(word, missing.iter().copied().chain(free));
         let help = match meant {
             Some(name) => format!("did you mean `{name}`?"),
-            None => format!(
-                "the points are {}, and may be {}, or any that a force names",
-                suggest::listed(&required),
-                suggest::listed(&optional)
-            ),
+            None => {
+                let may = match optional.as_slice() {
+                    [] => String::new(),
+                    optional => format!(" {}, or", suggest::listed(optional)),
+                };
+                format!(
+                    "the points are {}, and may be{may} any that a force names",
+                    suggest::listed(&required)
+                )
+            }
         };
         // A point under a misspelt name is one mistake, not two.
         missing.retain(|name| Some(*name) != meant);

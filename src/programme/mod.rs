@@ -7,6 +7,6 @@ mod range;
 mod stage;
 mod standard;
 
-pub use range::{Clearance, Fastest, NEARLY_DEAD, Place, WorkingRange};
+pub use range::{Clearance, Fastest, Place, WorkingRange};
 pub use stage::{Body, Run, Stage, StageError, rolling};
 pub use standard::{Ranges, standard};

@@ -23,6 +23,8 @@ pub struct StageResult {
     pub iterations: usize,
     /// Where it stopped, or why it did not begin.
     pub notes: Vec<String>,
+    /// Dead centres that it came near to or passed.
+    pub warnings: Vec<String>,
 }
 
 /// The page.
@@ -61,7 +63,7 @@ impl ProgrammeSummary<'_> {
             self.drive.words()
         )?;
         for result in self.stages {
-            let StageResult { stage, file, reached, iterations, notes } = result;
+            let StageResult { stage, file, reached, iterations, notes, warnings } = result;
             let range = cell(Some(rounded(stage.quantity.show(units, stage.range))));
             let symbol = stage.quantity.symbol(units);
             let file = file.as_deref().unwrap_or("–");
@@ -71,7 +73,7 @@ impl ProgrammeSummary<'_> {
                 stage.states(),
                 stage.title
             )?;
-            for note in notes {
+            for note in notes.iter().chain(warnings) {
                 writeln!(writer, "    {}", note.trim_end().replace('\n', "\n    "))?;
             }
         }

@@ -15,7 +15,7 @@ use super::target::{Supports, Target};
 use super::varied::{Variable, Varied, VaryError};
 use super::view::View;
 use crate::assembly::ElementConstant;
-use crate::mechanism::{DriverId, Force};
+use crate::mechanism::{DriverId, Force, Mechanism};
 use crate::model::{AxleSide, AxleSuspension, Model, Rolling, Setup, Side, Steering, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::compliance::ComplianceError;
@@ -321,6 +321,10 @@ impl Specimen for Axle {
 
     fn reset(&mut self) {
         Self::reset(self);
+    }
+
+    fn mechanism(&self) -> &Mechanism {
+        self.stand.mechanism()
     }
 
     fn poses(&mut self) -> Vec<Pose<f64>> {

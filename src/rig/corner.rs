@@ -16,7 +16,7 @@ use super::target::{Supports, Target};
 use super::varied::{Variable, Varied, VaryError};
 use super::view::View;
 use crate::assembly::ElementConstant;
-use crate::mechanism::{DriverId, Force, MechanismError};
+use crate::mechanism::{DriverId, Force, Mechanism, MechanismError};
 use crate::model::{Model, Setup, Steering, Suspension, SuspensionError, WheelSupport};
 use crate::relation::Coordinates;
 use crate::solve::compliance::ComplianceError;
@@ -282,6 +282,10 @@ impl Specimen for Corner {
 
     fn reset(&mut self) {
         Self::reset(self);
+    }
+
+    fn mechanism(&self) -> &Mechanism {
+        self.stand.mechanism()
     }
 
     fn poses(&mut self) -> Vec<Pose<f64>> {

@@ -22,6 +22,7 @@ mod sweep;
 mod target;
 mod varied;
 mod view;
+mod watch;
 
 pub use crate::model::LOAD_COMPONENTS;
 pub use adjust::{AdjustError, Adjustment, OutOfReach};
@@ -36,6 +37,7 @@ pub use pose::{Design, Motion, Motions, OtherWheel, Pose, TyreState, WheelCompli
 pub use rates::Rates;
 pub use shape::Shape;
 pub use stand::Stand;
-pub use sweep::{Missed, Row, Specimen, Sweep};
+pub use sweep::{Missed, Place, Row, Specimen, Sweep};
 pub use target::{Event, Held, Supports, SweepPlan, Target, Vertical};
 pub use varied::{Moved, Variable, Varied, VaryError};
+pub use watch::{Danger, Fastest, NEARLY_DEAD, Warning, Watch};

@@ -1,6 +1,7 @@
 //! Where a wheel, its steer axis and its spring are, and how they move.
 
 use super::line::{Line, Wheel};
+use super::watch::Fastest;
 use crate::model::{Axes, Side, Vehicle};
 use crate::scalar::{Dual, Scalar};
 use crate::solve::Twist;
@@ -68,6 +69,8 @@ pub struct Motion<S> {
     pub spring: Option<Line<S>>,
     /// The velocities of the two ends of the damper.
     pub damper: Option<Line<S>>,
+    /// The fastest joint of the mechanism, where the driver is the height of the wheel.
+    pub fastest: Option<Fastest>,
 }
 
 /// The motions of a corner. A free wheel is lifted by a vertical force where its height would be driven,

@@ -325,6 +325,10 @@ impl Specimen for Stand {
         Self::reset(self);
     }
 
+    fn mechanism(&self) -> &Mechanism {
+        self.system.mechanism()
+    }
+
     fn poses(&mut self) -> Vec<Pose<f64>> {
         vec![]
     }

@@ -6,6 +6,7 @@ use super::pose::{Design, Motion, Motions, Pose, TyreState, WheelLoad};
 use super::rates::Rates;
 use super::stand::Stand;
 use super::view::View;
+use super::watch::Fastest;
 use crate::mechanism::{BodyId, Direction, DriverId, DriverSlots, ForceId, Law, PointId};
 use crate::model::{
     self, Axes, AxleSuspension, Chassis, Drive, Model, Setup, Side, SteerAxis, StrutLine,
@@ -46,6 +47,8 @@ pub(super) struct Station {
     home: Option<Home>,
     /// Where the parameters are that say where the steer axis meets its bodies, where adjusters change them.
     adjusted: [Option<usize>; 2],
+    /// What may be fast near a dead centre: the joints of moving bodies, the seats of springs, the wheel centre.
+    joints: Vec<(BodyId, PointId)>,
 }
 
 impl Station {
@@ -70,6 +73,7 @@ impl Station {
             tyre_law: model.tyre_law().cloned(),
             home: None,
             adjusted: [None; 2],
+            joints: vec![],
         }
     }
 
@@ -97,6 +101,7 @@ impl Station {
             tyre_law: model.tyre_law().cloned(),
             home: None,
             adjusted: [None; 2],
+            joints: vec![],
         }
     }
 
@@ -105,7 +110,11 @@ impl Station {
         let expansion = stand.system().expansion();
         let place = |(point, body)| expansion.adjusted_place(body, point);
         let adjusted = self.steer_axis.map(|axis| [axis.lower, axis.upper].map(place));
-        Self { home, adjusted: adjusted.unwrap_or_default(), ..self }
+        let mut joints = stand.mechanism().held_points();
+        let struts = self.spring.iter().chain(&self.damper).flat_map(|strut| strut.ends);
+        joints.extend(struts.chain([(self.wheel.center, self.wheel.body)]).map(|(p, b)| (b, p)));
+        joints.retain(|(body, _)| ![BodyId::GROUND, self.chassis].contains(body));
+        Self { home, adjusted: adjusted.unwrap_or_default(), joints, ..self }
     }
 
     /// Whether a motion moves the wheel, its steer axis or its spring.
@@ -272,7 +281,11 @@ impl Station {
     /// How the parts move with the value of a driver.
     pub fn motion_by(&self, driver: DriverId, rates: &mut Rates<'_>) -> Option<Motion<f64>> {
         let tangent = rates.tangent(driver)?.coordinates().to_vec();
-        self.motion(driver, &rates.view(), &tangent, rates.slots())
+        let view = rates.view();
+        let motion = self.motion(driver, &view, &tangent, rates.slots())?;
+        let is_travel = driver == self.travel;
+        let fastest = is_travel.then(|| self.fastest(&view, &tangent)).flatten();
+        Some(Motion { fastest, ..motion })
     }
 
     /// How the parts move with the drivers, those of other wheels held, from the motion by each.
@@ -296,13 +309,7 @@ impl Station {
         slots: &DriverSlots,
     ) -> Option<Motion<S>> {
         let places = self.adjusted.map(|first| first.map(|first| slots.rate(driver, first)));
-        let of = |body: BodyId| match body.index().checked_sub(1) {
-            None => Twist { velocity: [S::from_f64(0.0); 3], rotation: [S::from_f64(0.0); 3] },
-            Some(moving) => {
-                let first = BODY_COORDINATES * moving;
-                Twist::new(&view.state[body.index()], &rates[first..first + BODY_COORDINATES])
-            }
-        };
+        let of = |body| twist_of(view, rates, body);
         let chassis = of(self.chassis);
         let twist = |body| of(body).minus(&chassis);
         let center = view.point((self.wheel.center, self.wheel.body));
@@ -325,7 +332,19 @@ impl Station {
             }),
             spring: self.spring.map(|spring| Line::through(spring.ends.map(velocity))),
             damper: self.damper.map(|damper| Line::through(damper.ends.map(velocity))),
+            fastest: None,
         })
+    }
+
+    /// The fastest joint of the mechanism.
+    fn fastest(&self, view: &View<'_, f64>, rates: &[f64]) -> Option<Fastest> {
+        let chassis = twist_of(view, rates, self.chassis);
+        let speeds = self.joints.iter().map(|&(body, point)| {
+            let twist = twist_of(view, rates, body).minus(&chassis);
+            let ratio = norm(twist.at(view.point((point, body))));
+            Fastest { body, point, ratio }
+        });
+        speeds.max_by(|a, b| a.ratio.total_cmp(&b.ratio))
     }
 
     /// The tyre under a vertical load.
@@ -350,6 +369,15 @@ impl Station {
             WheelSupport::Free => Some(stand.equilibrium().loaded().force(self.tyre?).force[2]),
         }
     }
+}
+
+/// How a body moves, from the rates of all coordinates.
+fn twist_of<S: Scalar>(view: &View<'_, S>, rates: &[S], body: BodyId) -> Twist<S> {
+    let Some(moving) = body.index().checked_sub(1) else {
+        return Twist { velocity: [S::from_f64(0.0); 3], rotation: [S::from_f64(0.0); 3] };
+    };
+    let first = BODY_COORDINATES * moving;
+    Twist::new(&view.state[body.index()], &rates[first..first + BODY_COORDINATES])
 }
 
 /// Where a joint is on a body; `adjusted` is the first of the parameters that say where, where adjusters move it.

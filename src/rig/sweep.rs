@@ -5,6 +5,8 @@ use std::fmt;
 use super::channel::Channel;
 use super::pose::Pose;
 use super::target::{Held, Supports, SweepPlan, Target};
+use super::watch::{Warning, Watch};
+use crate::mechanism::Mechanism;
 use crate::solve::{StepReport, Stop};
 
 /// What a sweep moves: a corner, an axle, or a mechanism without a wheel.
@@ -17,6 +19,9 @@ pub trait Specimen {
 
     /// Returns to the design position.
     fn reset(&mut self);
+
+    /// The mechanism on the rig.
+    fn mechanism(&self) -> &Mechanism;
 
     /// Where wheels and steer axes are: one of a corner, left and right of an axle, none of a
     /// mechanism.
@@ -70,6 +75,15 @@ pub struct Row {
     pub relative_residual: f64,
 }
 
+/// Where in a sweep something was seen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// The plan of several, or the case, in words.
+    pub plan: Option<String>,
+    /// The value (SI) of the plan, or the number of the case.
+    pub value: f64,
+}
+
 /// A state that was not reached, and with it those beyond it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Missed {
@@ -102,6 +116,8 @@ pub struct Sweep {
     /// Where the mechanism could not go on: at most one stop for each direction of a plan, or one for
     /// each case.
     pub stops: Vec<Missed>,
+    /// Dead centres that wheels came near to or passed.
+    pub warnings: Vec<Warning<Place>>,
     /// Motions of wheel and steer axis that the joints leave free, in words. What depends on
     /// them is not determined by the model.
     pub free_motions: Vec<String>,
@@ -148,6 +164,7 @@ impl Sweep {
         let mut run = Run::new(specimen, progress);
         for (index, (name, target)) in cases.iter().enumerate() {
             run.specimen.reset();
+            run.watch.restart();
             #[allow(clippy::cast_precision_loss)]
             let row = run.row((index + 1) as f64, target, Some(name));
             run.sweep.rows.extend(row.map(|row| Row { case: Some(index), ..row }));
@@ -162,12 +179,14 @@ struct Run<'a, C, P> {
     specimen: &'a mut C,
     progress: P,
     sweep: Sweep,
+    watch: Watch<Place>,
     done: usize,
 }
 
 impl<'a, C: Specimen, P: FnMut(usize)> Run<'a, C, P> {
     fn new(specimen: &'a mut C, progress: P) -> Self {
-        Self { specimen, progress, sweep: Sweep::default(), done: 0 }
+        let (sweep, watch) = (Sweep::default(), Watch::default());
+        Self { specimen, progress, sweep, watch, done: 0 }
     }
 
     /// Adds the states of a plan.
@@ -179,12 +198,14 @@ impl<'a, C: Specimen, P: FnMut(usize)> Run<'a, C, P> {
             .unwrap_or_default();
         let (before, after) = values.split_at(middle);
 
+        self.watch.restart();
         let outwards = self.follow(plan, after.iter(), name);
         // Where not even the first state is reached, nothing beyond it is.
         if let ([_, ..], Some(&first)) = (outwards.as_slice(), after.first())
             && !before.is_empty()
         {
             self.specimen.reset();
+            self.watch.restart();
             if self.row(first, &plan.target(first), name).is_some() {
                 let mut rows = self.follow(plan, before.iter().rev(), name);
                 rows.reverse();
@@ -216,14 +237,19 @@ impl<'a, C: Specimen, P: FnMut(usize)> Run<'a, C, P> {
 
     fn row(&mut self, value: f64, target: &Target, name: Option<&String>) -> Option<Row> {
         match self.specimen.go_to(target) {
-            Ok(report) => Some(Row {
-                value,
-                case: None,
-                poses: self.specimen.poses(),
-                channels: self.specimen.channel_values(),
-                iterations: report.iterations,
-                relative_residual: report.relative_residual,
-            }),
+            Ok(report) => {
+                let poses = self.specimen.poses();
+                let place = Place { plan: name.cloned(), value };
+                self.watch.look(&poses, self.specimen.mechanism(), &place);
+                Some(Row {
+                    value,
+                    case: None,
+                    poses,
+                    channels: self.specimen.channel_values(),
+                    iterations: report.iterations,
+                    relative_residual: report.relative_residual,
+                })
+            }
             Err(stop) => {
                 self.sweep.stops.push(Missed { at: name.cloned(), stop });
                 None
@@ -232,6 +258,7 @@ impl<'a, C: Specimen, P: FnMut(usize)> Run<'a, C, P> {
     }
 
     fn end(mut self) -> Sweep {
+        self.sweep.warnings = self.watch.warnings();
         self.sweep.free_motions = self.specimen.free_motions();
         let elements = self.specimen.element_channels();
         self.sweep.channels = [elements, self.specimen.joint_channels()].concat();

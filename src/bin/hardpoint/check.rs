@@ -1,5 +1,7 @@
 //! `hardpoint check`: is this model sound?
 
+mod range;
+
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -7,15 +9,11 @@ use clap::Args;
 use hardpoint::factors::{self, Convention, basic};
 use hardpoint::mechanism::{BodyId, Force};
 use hardpoint::model::{Axes, Document, MechanismModel, Model, Quantity, Setup, Side, Units};
-use hardpoint::programme::{
-    Clearance, Fastest, NEARLY_DEAD, Place, Ranges, StageError, WorkingRange,
-};
 use hardpoint::report::write_adjustments;
 use hardpoint::rig::{Adjustment, Axle, Corner, Pose, RigError, Stand};
 use hardpoint::solve::{StaticFailure, StaticReport};
 
 use crate::failure::Failure;
-use crate::loads::FARTHEST;
 use crate::output::{Output, SideName, axes_of_words};
 use crate::settings::Settings;
 use crate::{is_axle, load};
@@ -29,7 +27,8 @@ use crate::{is_axle, load};
 Examples:
   hardpoint check models/double-wishbone.toml
   hardpoint check models/sedan-axle.toml --axle
-  hardpoint check models/adams-tr-front.toml --side right")]
+  hardpoint check models/adams-tr-front.toml --side right
+  hardpoint check models/double-wishbone-pushrod.toml --range 60 --clearance 25")]
 pub struct Check {
     /// The model or mechanism file.
     model: PathBuf,
@@ -44,6 +43,10 @@ pub struct Check {
     /// [80 mm without a value].
     #[arg(long, value_name = "T", num_args = 0..=1)]
     range: Option<Option<f64>>,
+    /// The distance that middle lines of links, springs and dampers have to keep from each other in --range: of
+    /// two tubes the sum of their radii and some air [default: 30 mm].
+    #[arg(long, value_name = "D", requires = "range", allow_negative_numbers = true)]
+    clearance: Option<f64>,
     #[command(flatten)]
     settings: Settings,
 }
@@ -102,75 +105,6 @@ impl Check {
             }
         }
     }
-}
-
-impl Check {
-    /// Goes through the working range of both sides and tells what was found.
-    fn working_range(&self, model: &Model, range: Option<f64>) -> Result<(), Failure> {
-        let ranges = Ranges::of(model);
-        let units = model.units.length;
-        let travel = range.map_or(ranges.travel, |travel| units.to_metres(travel));
-        if !(travel > 0.0 && travel < FARTHEST) {
-            return Err(Failure::Usage("--range is not a positive length".into()));
-        }
-        let racks = match model.steers() {
-            true => vec![0.0, -ranges.rack, ranges.rack],
-            false => vec![0.0],
-        };
-        let found = WorkingRange::find(model, &Setup::default(), travel, &racks);
-        let found = found.map_err(|error| match error {
-            StageError::Rig(error) => {
-                Failure::Rig(self.model.display().to_string(), Box::new(error))
-            }
-            error => Failure::Usage(error.to_string()),
-        })?;
-        Output::Stdout.write(|writer| write_range(writer, model, travel, &found))
-    }
-}
-
-/// Links nearer than this (m) are told.
-const NEAR: f64 = 0.03;
-
-fn write_range(
-    writer: &mut dyn Write,
-    model: &Model,
-    travel: f64,
-    found: &WorkingRange,
-) -> io::Result<()> {
-    let length = |metres: f64| {
-        let unit = model.units.length;
-        format!("{:.1} {}", unit.from_metres(metres), unit.symbol())
-    };
-    let place = |at: &Place| format!("travel {}, rack {}", length(at.travel), length(at.rack));
-    let WorkingRange { states, stops, fastest, clearances } = found;
-    writeln!(writer, "\nworking range, both wheels ±{}: {states} states reached", length(travel))?;
-    for (at, stop) in stops {
-        writeln!(writer, "  ends before {}: {}", place(at), stop.to_string().trim_end())?;
-    }
-    if let Some(Fastest { body, point, ratio, at }) = fastest {
-        let near = match *ratio > NEARLY_DEAD {
-            true => "; this is near to a dead centre: move its points or shorten the range",
-            false => "; far from a dead centre",
-        };
-        writeln!(
-            writer,
-            "  fastest joint: {point} of {body} goes {ratio:.2} times as far as the wheel at {}{near}",
-            place(at)
-        )?;
-    }
-    for Clearance { links: [one, other], distance, crosses, at } in clearances {
-        if *crosses {
-            let at = place(at);
-            writeln!(writer, "  {one} and {other} cross before {at}: one would cut the other")?;
-        } else if *distance < NEAR {
-            let distance = length(*distance);
-            writeln!(writer, "  {one} and {other} come within {distance} at {}", place(at))?;
-        }
-    }
-    if clearances.iter().all(|clearance| clearance.distance >= NEAR) {
-        writeln!(writer, "  no two links come nearer than {} (middle lines)", length(NEAR))?;
-    }
-    Ok(())
 }
 
 /// A sign of `rack_per_turn` that does not fit the geometry is easily overlooked.

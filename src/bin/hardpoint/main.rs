@@ -3,6 +3,7 @@
 mod architectures;
 mod check;
 mod compliance;
+mod dangers;
 mod draw;
 mod equilibrium;
 mod events;

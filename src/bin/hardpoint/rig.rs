@@ -13,6 +13,7 @@ use hardpoint::report::{
 };
 use hardpoint::rig::{Adjustment, Axle, Compliance, LoadPoint, Pose};
 
+use crate::dangers::dangers;
 use crate::failure::Failure;
 use crate::load;
 use crate::output::{ConventionName, DriveName, Output, axes_of_words};
@@ -114,7 +115,8 @@ impl Rig {
                 Err(error) => {
                     remove(&folder.join(file_of(&stage)))?;
                     let notes = vec![error.to_string()];
-                    StageResult { stage, file: None, reached: 0, iterations: 0, notes }
+                    let warnings = vec![];
+                    StageResult { stage, file: None, reached: 0, iterations: 0, notes, warnings }
                 }
             });
         }
@@ -217,6 +219,7 @@ impl Rig {
             reached: sweep.rows.len(),
             iterations: sweep.rows.iter().map(|row| row.iterations).sum(),
             notes: sweep.stops.iter().map(ToString::to_string).collect(),
+            warnings: dangers(sweep, Some(stage.quantity), model.units),
             stage,
         })
     }
@@ -271,6 +274,11 @@ fn tell(results: &[StageResult], folder: &Path, model: &Model) -> Result<(), Fai
         "{reached} states of {} events are in {folder}; see summary.txt there",
         results.len()
     );
+    for StageResult { stage, warnings, .. } in results {
+        for warning in warnings {
+            eprintln!("warning: {}: {warning}", stage.name);
+        }
+    }
     let notes: Vec<String> = results
         .iter()
         .flat_map(|StageResult { stage, notes, .. }| {

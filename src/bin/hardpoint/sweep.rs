@@ -15,6 +15,7 @@ use hardpoint::report::SweepReport;
 use hardpoint::rig::{self, Axle, Corner, Hold, Load, LoadPoint, Specimen, Supports, SweepPlan};
 use hardpoint::solve::Stop;
 
+use crate::dangers::dangers;
 use crate::events::{EventName, VerticalOptions, Wheels};
 use crate::failure::Failure;
 use crate::loads::RigOptions;
@@ -325,6 +326,10 @@ impl Sweep {
     fn write(&self, report: &SweepReport, output: &Output) -> Result<(), Failure> {
         for why in report.empty_columns() {
             eprintln!("warning: {why}; its column is empty");
+        }
+        let quantity = report.cases.is_none().then_some(report.quantity);
+        for danger in dangers(report.sweep, quantity, report.units) {
+            eprintln!("warning: {danger}");
         }
         let named = self.output.as_deref().and_then(Format::of);
         output.write(|writer| match self.format.or(named).unwrap_or(Format::Table) {

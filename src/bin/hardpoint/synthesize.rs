@@ -178,14 +178,19 @@ impl Synthesize {
         };
         let named = self.report.as_deref().map(Sheet::of).transpose()?.flatten();
         let output = self.report.clone().map_or(Output::Stdout, Output::File);
-        output.write(|writer| match self.format.or(named).unwrap_or(Sheet::Table) {
+        let format = self.format.or(named).unwrap_or(Sheet::Table);
+        output.write(|writer| match format {
             Sheet::Table => report.write_table(writer),
             Sheet::Json => report.write_json(writer),
         })?;
         match report.unmet() {
             Some(mut words) => {
+                if self.report.is_none() && format == Sheet::Table {
+                    // The table has the rest.
+                    words.truncate(words.find('\n').map_or(words.len(), |end| end + 1));
+                }
                 if written.is_some() && file.is_none() && self.output.is_some() {
-                    words += "no model is written; --force writes this one, or let more change, or want less\n";
+                    words += "no model is written: let more change, want less, or write this one with --force\n";
                 }
                 Err(Failure::Unmet(words))
             }

@@ -17,6 +17,7 @@ mod state;
 mod target;
 mod tie;
 mod variable;
+mod words;
 
 use std::ops::Range;
 use std::path::Path;
@@ -34,6 +35,7 @@ pub use search::{Pareto, Robustness, Search};
 pub use target::{State, Target};
 pub use tie::{Relation, Tie};
 pub use variable::Variable;
+pub use words::{short, state_words};
 
 use crate::factors::Need;
 use crate::model::{

@@ -39,13 +39,17 @@ pub(super) struct Goals {
     pub wishes: Vec<Wish>,
     pub weights: Vec<f64>,
     pub constraints: Vec<Constraint>,
+    /// How much each target counts, times its weight.
+    pub factors: Vec<f64>,
+    /// A target that is a constraint for a while, and its row: how far it is off.
+    pub bounded: Option<(usize, usize)>,
 }
 
 impl Goals {
     /// The wishes of a request for a model that has these values of the factors, target by target and state
     /// by state.
     pub fn of(request: &Request, model: &Model, sides: usize, own: &[Vec<f64>]) -> Self {
-        let mut goals = Self::default();
+        let mut goals = Self { factors: vec![1.0; request.targets.len()], ..Self::default() };
         for (index, target) in request.targets.iter().enumerate() {
             for (k, state) in target.states.iter().enumerate() {
                 let state = goals.state(state.rig);
@@ -113,31 +117,74 @@ impl Goals {
             let (value, by) = reached
                 .of(|moved| dual(target, wish.wheel, moved))
                 .ok_or_else(|| Obstacle::Undefined(target.name.clone()))?;
+            let off = match wish.kind {
+                Kind::Residual { wanted, .. } => value - wanted,
+                Kind::Band { limits: [least, _], .. } if value < least => value - least,
+                Kind::Band { limits: [_, most], .. } => (value - most).max(0.0),
+                Kind::Hard { .. } | Kind::Open { .. } => value,
+            };
+            let add = |sum: &mut f64, gradient: &mut [f64], amount: f64, factor: f64| {
+                *sum += amount;
+                gradient.iter_mut().zip(&by).for_each(|(sum, by)| *sum += factor * by);
+            };
+            let bounded = self.bounded.filter(|(target, _)| *target == wish.target);
             match wish.kind {
-                Kind::Residual { row, wanted } => {
-                    out.residuals[row] = value - wanted;
-                    out.residual_jacobian[row * n..][..n].copy_from_slice(&by);
-                }
-                Kind::Band { row, limits: [least, most] } => {
-                    let off = if value < least { value - least } else { (value - most).max(0.0) };
-                    out.residuals[row] = off;
-                    if off != 0.0 {
-                        out.residual_jacobian[row * n..][..n].copy_from_slice(&by);
-                    }
-                }
                 Kind::Hard { row } => {
-                    out.constraints[row] = value;
+                    out.constraints[row] = off;
                     out.constraint_jacobian[row * n..][..n].copy_from_slice(&by);
                 }
                 Kind::Open { factor } => {
-                    out.objective += factor * value;
-                    for (gradient, by) in out.gradient.iter_mut().zip(&by) {
-                        *gradient += factor * by;
+                    if let Some((_, row)) = bounded {
+                        let gradient = &mut out.constraint_jacobian[row * n..][..n];
+                        add(&mut out.constraints[row], gradient, factor * value, factor);
+                    }
+                    let factor = factor * self.factors[wish.target];
+                    add(&mut out.objective, &mut out.gradient, factor * value, factor);
+                }
+                Kind::Residual { row, .. } | Kind::Band { row, .. } => {
+                    if let Some((_, of_target)) = bounded {
+                        let scaled = self.weights[row] * off;
+                        let gradient = &mut out.constraint_jacobian[of_target * n..][..n];
+                        let factor = 2.0 * self.weights[row] * scaled;
+                        add(&mut out.constraints[of_target], gradient, scaled * scaled, factor);
+                    }
+                    out.residuals[row] = off;
+                    // Inside of a band nothing changes.
+                    if off != 0.0 || matches!(wish.kind, Kind::Residual { .. }) {
+                        out.residual_jacobian[row * n..][..n].copy_from_slice(&by);
                     }
                 }
             }
         }
         Ok(())
+    }
+}
+
+impl Goals {
+    /// How far a target is off for residuals and factors of a design: the root of the mean square of its
+    /// differences in tolerances, or its mean in tolerances, less being better, where it is as small or great as possible.
+    pub fn off(&self, target: usize, residuals: &[f64], values: &[f64]) -> f64 {
+        let own = self.wishes.iter().filter(|wish| wish.target == target);
+        let (mut squares, mut sum, mut open) = (0.0, 0.0, false);
+        for (wish, value) in own.zip(values) {
+            match wish.kind {
+                Kind::Residual { row, .. } | Kind::Band { row, .. } => {
+                    squares += (self.weights[row] * residuals[row]).powi(2);
+                }
+                Kind::Open { factor } => {
+                    open = true;
+                    sum += factor * value;
+                }
+                Kind::Hard { .. } => {}
+            }
+        }
+        if open { sum } else { squares.sqrt() }
+    }
+
+    /// Whether a target is as small or great as possible.
+    pub fn is_open(&self, target: usize) -> bool {
+        let mut own = self.wishes.iter().filter(|wish| wish.target == target);
+        own.any(|wish| matches!(wish.kind, Kind::Open { .. }))
     }
 }
 

@@ -4,10 +4,11 @@ use super::goals::Goals;
 use super::trial::{Reached, Trial};
 use crate::design::clearance::{Cylinder, Keeps, between_segments, cosine, segment_to_point};
 use crate::design::request::{AngleLimit, Clearance, Part, Reference, Request, Round};
+use crate::design::request::{short, state_words};
 use crate::design::sqp::Evaluation;
 use crate::mechanism::{BodyId, PointId};
-use crate::model::Model;
-use crate::rig::{Moved, Variable};
+use crate::model::{Model, Quantity};
+use crate::rig::{self, Moved, Variable};
 use crate::scalar::{Dual, Scalar as _};
 use crate::vector::{Vector, add, constant, dot, norm, scale, sub};
 
@@ -20,8 +21,8 @@ type End = (PointId, BodyId);
 #[derive(Clone, Debug)]
 pub(super) struct Limit {
     pub row: usize,
-    /// What it is, for reports.
-    pub name: String,
+    /// What its lower and its upper side say, for reports.
+    pub words: [String; 2],
     /// The state, by its place in [`Goals::states`]; `None` for one of the parameters alone.
     pub state: Option<usize>,
     pub kind: Kind,
@@ -64,11 +65,11 @@ impl Limits {
         for tie in &request.ties {
             let row = goals.constrain([tie.value; 2], TYPICAL);
             let (name, kind) = (format!("tie of {}", tie.name), Kind::Tie(tie.terms.clone()));
-            limits.list.push(Limit { row, name, state: None, kind });
+            limits.list.push(Limit { row, words: [name.clone(), name], state: None, kind });
         }
         for part in &request.limits.boxes {
-            for state in &part.states {
-                let state = Some(goals.state(*state));
+            for target in &part.states {
+                let state = Some(goals.state(*target));
                 for &end in &part.points {
                     let point = &model.points()[end.0.index()].name;
                     let end = trial.end(end);
@@ -77,8 +78,10 @@ impl Limits {
                             continue;
                         }
                         let row = goals.constrain(*ends, TYPICAL);
-                        let name = format!("{} ({point}, {})", part.name, ["x", "y", "z"][axis]);
-                        limits.list.push(Limit { row, name, state, kind: Kind::Box { end, axis } });
+                        let name = format!("{}: {point}.{}", part.name, ["x", "y", "z"][axis]);
+                        let words = sides(&name, model, axis, *ends, target);
+                        let kind = Kind::Box { end, axis };
+                        limits.list.push(Limit { row, words, state, kind });
                     }
                 }
             }
@@ -90,11 +93,13 @@ impl Limits {
                 Part::Point(end) => Part::Point(trial.end(end)),
                 round => round,
             });
-            for state in &clearance.states {
-                let state = Some(goals.state(*state));
+            for target in &clearance.states {
+                let state = Some(goals.state(*target));
                 let row = goals.constrain([least, f64::INFINITY], TYPICAL);
                 let kind = Kind::Clearance(Box::new(Clearance { between, ..clearance.clone() }));
-                limits.list.push(Limit { row, name: clearance.name.clone(), state, kind });
+                let least = shown(model, Quantity::Length, clearance.distance);
+                let words = format!("{}: at least {least}{}", clearance.name, at(target, model));
+                limits.list.push(Limit { row, words: [words.clone(), words], state, kind });
             }
         }
         for angle in &request.limits.angles {
@@ -106,12 +111,14 @@ impl Limits {
                 ),
                 other => other.clone(),
             };
-            for state in &angle.states {
-                let state = Some(goals.state(*state));
+            for target in &angle.states {
+                let state = Some(goals.state(*target));
                 let row = goals.constrain([angle.max.cos(), f64::INFINITY], 0.02 * angle.max.sin());
                 let limit = AngleLimit { link, on, from: from.clone(), ..angle.clone() };
                 let kind = Kind::Angle { limit: Box::new(limit) };
-                limits.list.push(Limit { row, name: angle.name.clone(), state, kind });
+                let most = shown(model, Quantity::Angle, angle.max);
+                let words = format!("{}: at most {most}{}", angle.name, at(target, model));
+                limits.list.push(Limit { row, words: [words.clone(), words], state, kind });
             }
         }
         limits
@@ -133,7 +140,9 @@ impl Limits {
                 return;
             }
             let row = goals.constrain([f64::NEG_INFINITY, most * most], most * most);
-            self.list.push(Limit { row, name, state: None, kind: Kind::Movement(variables) });
+            let words = format!("{name}: at most {}", shown(model, Quantity::Length, most));
+            let (words, kind) = ([words.clone(), words], Kind::Movement(variables));
+            self.list.push(Limit { row, words, state: None, kind });
         };
         if let Some(most) = request.limits.movement {
             for (index, point) in model.points().iter().enumerate() {
@@ -228,4 +237,32 @@ impl Limits {
             keeps,
         })
     }
+}
+
+/// A number with its unit.
+fn shown(model: &Model, quantity: Quantity, value: f64) -> String {
+    format!("{} {}", short(quantity.show(model.units, value)), quantity.symbol(model.units))
+}
+
+/// Where a limit counts.
+fn at(state: &rig::Target, model: &Model) -> String {
+    let words = state_words(state, model.units);
+    if words.is_empty() { words } else { format!(" at {words}") }
+}
+
+/// What the two ends (m) of an interval along an axis of ISO 8855 say in the axes of the model.
+fn sides(
+    name: &str,
+    model: &Model,
+    axis: usize,
+    ends: [f64; 2],
+    state: &rig::Target,
+) -> [String; 2] {
+    let sign = model.axes.signs()[axis];
+    let words = |end: f64, upper: bool| {
+        let which = if upper == (sign > 0.0) { "at most" } else { "at least" };
+        let end = shown(model, Quantity::Length, sign * end);
+        format!("{name} {which} {end}{}", at(state, model))
+    };
+    [words(ends[0], false), words(ends[1], true)]
 }

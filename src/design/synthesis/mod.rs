@@ -8,19 +8,24 @@
 mod goals;
 mod limits;
 mod measure;
+mod pareto;
 mod problem;
 mod rolling;
 mod search;
+mod spread;
 mod trial;
 mod verdict;
 
 use thiserror::Error;
 
 pub use measure::{Measured, measure};
+pub use pareto::TradeOff;
+pub use spread::Deviation;
 pub use verdict::{Held, Unmet, Verdict, judge};
 
 use super::parameter::Parameter;
 use super::request::Request;
+use super::sqp;
 use crate::factors::Need;
 use crate::model::{Chassis, Model, Setup};
 use crate::rig::{Axle, Corner, RigError, Variable, VaryError};
@@ -44,6 +49,9 @@ pub enum Obstacle {
     /// A factor is not defined.
     #[error("the factor of the target `{0}` is not defined at one of its states")]
     Undefined(String),
+    /// The request makes no program, such as one with a bound that is not finite.
+    #[error(transparent)]
+    Statement(sqp::Mistake),
     /// The specimen cannot be made.
     #[error(transparent)]
     Rig(RigError),
@@ -74,6 +82,10 @@ pub struct Synthesis {
     pub after: Vec<Vec<Option<f64>>>,
     /// Bounds and constraints that hold the design where it is.
     pub held: Vec<Held>,
+    /// The trade-off, where the request asks for one, in the order of the second of its targets.
+    pub trade_off: Vec<TradeOff>,
+    /// The spread under tolerances, where the request asks for it.
+    pub spread: Vec<Deviation>,
     /// From how many designs it was sought.
     pub starts: usize,
     /// Iterations of the best start.
@@ -125,12 +137,19 @@ fn run<V: Variable>(
     let after =
         after.unwrap_or_else(|_| first.before.iter().map(|v| vec![None; v.len()]).collect());
     let outcome = &found.outcome;
+    let trade_off = match request.pareto {
+        Some(pareto) => pareto::trade_off(request, pareto, &mut first, &outcome.x)?,
+        None => vec![],
+    };
+    let spread = first.deviations(&outcome.x)?;
     Ok(Synthesis {
         verdict: verdict::verdict(request, model, &first, outcome, &after),
-        held: verdict::held(request, model, &first, outcome),
+        held: verdict::held(request, model, &mut first, outcome),
         values: outcome.x.clone(),
         before: first.before,
         after,
+        trade_off,
+        spread,
         starts: found.starts,
         iterations: outcome.iterations,
         evaluations: found.evaluations,

@@ -3,9 +3,10 @@
 use super::Obstacle;
 use super::goals::{Goals, Kind, values};
 use super::limits::Limits;
+use super::spread::{Deviation, Spread};
 use super::trial::Trial;
 use crate::design::request::Request;
-use crate::design::sqp::{self, Evaluation, Failure, Statement};
+use crate::design::sqp::{self, Constraint, Evaluation, Failure, Statement};
 use crate::model::Model;
 use crate::rig::Variable;
 
@@ -27,6 +28,8 @@ pub(super) struct Task<'a, V> {
     pub before: Vec<Vec<Option<f64>>>,
     /// The last reason why a design had no value.
     pub obstacle: Option<Obstacle>,
+    /// The spread that is to be small, where one is.
+    pub spread: Option<Spread>,
     wheel: usize,
     ranges: Vec<f64>,
 }
@@ -57,6 +60,8 @@ impl<'a, V: Variable> Task<'a, V> {
         };
         let mut weights = goals.weights.clone();
         weights.extend(request.variables.iter().map(|_| STILLNESS));
+        let spread = Spread::of(request, model, &mut trial, &goals, weights.len());
+        weights.extend(spread.iter().flat_map(Spread::weights));
         let statement = Statement {
             variables: request.variables.iter().map(variable).collect(),
             weights,
@@ -68,7 +73,18 @@ impl<'a, V: Variable> Task<'a, V> {
         };
         let ranges = request.variables.iter().map(|v| v.bounds[1] - v.bounds[0]).collect();
         let obstacle = None;
-        Ok(Self { request, trial, goals, limits, statement, before, obstacle, wheel, ranges })
+        Ok(Self {
+            request,
+            trial,
+            goals,
+            limits,
+            statement,
+            before,
+            obstacle,
+            spread,
+            wheel,
+            ranges,
+        })
     }
 
     /// The model as it is.
@@ -85,24 +101,63 @@ impl<'a, V: Variable> Task<'a, V> {
         values(self.request, &mut self.trial)
     }
 
+    /// The spread of the model and of a design; none where the request asks for none.
+    ///
+    /// # Errors
+    /// [`Obstacle`].
+    pub fn deviations(&mut self, x: &[f64]) -> Result<Vec<Deviation>, Obstacle> {
+        let start = self.start();
+        let Self { spread, trial, goals, request, .. } = self;
+        match spread {
+            Some(spread) => spread.deviations(trial, goals, request, [&start, x]),
+            None => Ok(vec![]),
+        }
+    }
+
+    /// The residuals of soft targets that have these factors (SI).
+    pub fn residuals(&self, factors: &[Vec<Option<f64>>]) -> Vec<f64> {
+        let mut residuals = vec![0.0; self.goals.weights.len()];
+        let mut counts = vec![0; self.request.targets.len()];
+        for wish in &self.goals.wishes {
+            let value = factors[wish.target][counts[wish.target]].unwrap_or(f64::NAN);
+            counts[wish.target] += 1;
+            match wish.kind {
+                Kind::Residual { row, wanted } => residuals[row] = value - wanted,
+                Kind::Band { row, limits: [least, most] } => {
+                    residuals[row] = (value - most).max(0.0) + (value - least).min(0.0);
+                }
+                Kind::Hard { .. } | Kind::Open { .. } => {}
+            }
+        }
+        residuals
+    }
+
     /// The largest difference of a target that is no constraint at one state, in tolerances and weighted.
     pub fn worst(&self, residuals: &[f64]) -> f64 {
         let soft = residuals.iter().zip(&self.goals.weights);
         soft.fold(0.0, |worst: f64, (residual, weight)| worst.max((residual * weight).abs()))
     }
 
-    /// Gives single targets other weights, as a trade-off does: zero leaves them out.
-    pub fn weigh(&mut self, target: usize, factor: f64) {
-        for wish in self.goals.wishes.iter_mut().filter(|wish| wish.target == target) {
-            match &mut wish.kind {
-                Kind::Residual { row, .. } | Kind::Band { row, .. } => {
-                    self.goals.weights[*row] *= factor;
-                    self.statement.weights[*row] *= factor;
-                }
-                Kind::Open { factor: own } => *own *= factor,
-                Kind::Hard { .. } => {}
+    /// Gives targets other weights, as factors of their own: zero leaves one out.
+    pub fn weigh(&mut self, factors: &[f64]) {
+        self.goals.factors.copy_from_slice(factors);
+        for wish in &self.goals.wishes {
+            if let Kind::Residual { row, .. } | Kind::Band { row, .. } = wish.kind {
+                self.statement.weights[row] = factors[wish.target] * self.goals.weights[row];
             }
         }
+    }
+
+    /// Makes how far a target is off a constraint with the greatest value, or no longer.
+    pub fn bound(&mut self, target: Option<(usize, f64)>) {
+        self.statement.constraints.clone_from(&self.goals.constraints);
+        self.goals.bounded = target.map(|(target, most)| {
+            // Squares of differences are smooth where the differences are.
+            let upper = if self.goals.is_open(target) { most } else { most * most };
+            let (lower, typical) = (f64::NEG_INFINITY, upper.abs().max(1.0));
+            self.statement.constraints.push(Constraint { lower, upper, typical });
+            (target, self.statement.constraints.len() - 1)
+        });
     }
 
     fn try_evaluate(&mut self, x: &[f64], out: &mut Evaluation) -> Result<(), Obstacle> {
@@ -110,6 +165,7 @@ impl<'a, V: Variable> Task<'a, V> {
         self.trial.set(x)?;
         self.limits.evaluate_parameters(x, out);
         let first = self.goals.weights.len();
+        // What follows is in the order of the weights: stillness, then spread.
         for (k, variable) in self.request.variables.iter().enumerate() {
             out.residuals[first + k] = (x[k] - variable.start) / self.ranges[k];
             out.residual_jacobian[(first + k) * n + k] = 1.0 / self.ranges[k];
@@ -119,6 +175,9 @@ impl<'a, V: Variable> Task<'a, V> {
             let reached = self.trial.reached()?;
             self.goals.evaluate(self.request, state, &reached, out)?;
             self.limits.evaluate(state, self.wheel, &reached, out);
+        }
+        if let Some(spread) = &self.spread {
+            spread.evaluate(&mut self.trial, &self.goals, self.request, x, out)?;
         }
         Ok(())
     }

@@ -27,20 +27,8 @@ pub(super) fn search<'a, V: Variable>(
     first: &mut Task<'a, V>,
     task: impl Fn() -> Result<Task<'a, V>, Obstacle> + Sync,
 ) -> Result<Found, Obstacle> {
-    let settings = Settings {
-        iterations: request.search.iterations as usize,
-        evaluations: 3 * request.search.iterations as usize,
-        ..Settings::default()
-    };
-    let run = |task: &mut Task<'a, V>, start: &[f64]| {
-        let statement = task.statement.clone();
-        solve(task, &statement, start, &settings).map_err(|mistake| {
-            // Bounds and limits of a request were checked when it was read.
-            Obstacle::Undefined(mistake.to_string())
-        })
-    };
     let start = first.start();
-    let outcome = run(first, &start)?;
+    let outcome = settle(request, first, &start)?;
     let mut found = Found { evaluations: outcome.evaluations, outcome, starts: 1 };
     if found.is_met(first) {
         return Ok(found);
@@ -48,7 +36,7 @@ pub(super) fn search<'a, V: Variable>(
     let points = starts(request, first);
     let outcomes: Vec<Option<Outcome>> = points
         .par_iter()
-        .map_init(&task, |task, point| run(task.as_mut().ok()?, point).ok())
+        .map_init(&task, |task, point| settle(request, task.as_mut().ok()?, point).ok())
         .collect();
     for outcome in outcomes.into_iter().flatten() {
         found.starts += 1;
@@ -58,6 +46,21 @@ pub(super) fn search<'a, V: Variable>(
         }
     }
     Ok(found)
+}
+
+/// Seeks from one design.
+pub(super) fn settle<V: Variable>(
+    request: &Request,
+    task: &mut Task<'_, V>,
+    start: &[f64],
+) -> Result<Outcome, Obstacle> {
+    let settings = Settings {
+        iterations: request.search.iterations as usize,
+        evaluations: 3 * request.search.iterations as usize,
+        ..Settings::default()
+    };
+    let statement = task.statement.clone();
+    solve(task, &statement, start, &settings).map_err(Obstacle::Statement)
 }
 
 impl Found {

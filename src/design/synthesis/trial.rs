@@ -20,6 +20,9 @@ pub(super) struct Trial<V> {
     resolved: Vec<Resolved>,
     constants: Vec<ElementConstant>,
     compliance: bool,
+    /// Coordinates that are off by tolerances, and what they change.
+    tolerances: Vec<Parameter>,
+    tolerance_changes: Vec<Change>,
     /// What each parameter changes, for the present values; found when it is first needed.
     changes: Vec<Change>,
 }
@@ -60,8 +63,15 @@ impl<V: Variable> Trial<V> {
             resolved,
             constants,
             compliance,
+            tolerances: vec![],
+            tolerance_changes: vec![],
             changes: vec![],
         }
+    }
+
+    /// Tells which coordinates are off by tolerances.
+    pub fn tolerate(&mut self, coordinates: Vec<Parameter>) {
+        self.tolerances = coordinates;
     }
 
     /// 1 of a corner, 2 of an axle.
@@ -71,6 +81,11 @@ impl<V: Variable> Trial<V> {
 
     /// Takes values (SI, coordinates in ISO 8855 axes) of the parameters and returns to the design position.
     pub fn set(&mut self, x: &[f64]) -> Result<(), Obstacle> {
+        self.set_off(x, &[])
+    }
+
+    /// As [`Self::set`], with the coordinates that have tolerances off by these ways (m).
+    pub fn set_off(&mut self, x: &[f64], offsets: &[f64]) -> Result<(), Obstacle> {
         let mut shape = Shape::of(&self.model);
         let (mut constants, mut lengths) = (vec![], vec![]);
         let parts = self.parameters.iter().zip(&self.resolved).zip(&self.signs);
@@ -86,8 +101,12 @@ impl<V: Variable> Trial<V> {
                 }
             }
         }
+        for (coordinate, offset) in self.tolerances.iter().zip(offsets) {
+            coordinate.shift(&self.model, &mut shape, *offset);
+        }
         let shapes = self.specimen.both_sides(&self.model, shape);
         self.changes.clear();
+        self.tolerance_changes.clear();
         self.specimen.reshape(&shapes, &constants, &lengths).map_err(Obstacle::State)
     }
 
@@ -105,8 +124,17 @@ impl<V: Variable> Trial<V> {
 
     /// What the state has, with derivatives.
     pub fn reached(&mut self) -> Result<Reached, Obstacle> {
-        let Self { specimen, model, parameters, signs, resolved, constants, compliance, changes } =
-            self;
+        let Self {
+            specimen,
+            model,
+            parameters,
+            signs,
+            resolved,
+            constants,
+            compliance,
+            changes,
+            ..
+        } = self;
         let mut varied = specimen.vary(constants, *compliance).map_err(Obstacle::State)?;
         if changes.is_empty() {
             let parts = parameters.iter().zip(&*resolved).zip(&*signs);
@@ -114,6 +142,18 @@ impl<V: Variable> Trial<V> {
                 resolved.change(parameter, model, &varied, constants).times(*sign)
             };
             *changes = parts.map(change).collect();
+        }
+        let by = changes.iter().map(|change| varied.moved(change)).collect::<Result<_, _>>();
+        Ok(Reached { by: by.map_err(Obstacle::Derivative)? })
+    }
+
+    /// The same by the coordinates that have tolerances.
+    pub fn tolerances(&mut self) -> Result<Reached, Obstacle> {
+        let Self { specimen, model, tolerances, compliance, tolerance_changes: changes, .. } = self;
+        let mut varied = specimen.vary(&[], *compliance).map_err(Obstacle::State)?;
+        if changes.is_empty() {
+            let change = |p: &Parameter| Resolved::Shape.change(p, model, &varied, &[]);
+            *changes = tolerances.iter().map(change).collect();
         }
         let by = changes.iter().map(|change| varied.moved(change)).collect::<Result<_, _>>();
         Ok(Reached { by: by.map_err(Obstacle::Derivative)? })

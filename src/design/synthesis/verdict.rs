@@ -2,8 +2,8 @@
 
 use super::goals::Kind;
 use super::problem::Task;
-use crate::design::request::Request;
-use crate::design::sqp::{ActiveSide, Member, Outcome, Status};
+use crate::design::request::{Request, short, state_words};
+use crate::design::sqp::{ActiveSide, Evaluation, Member, Outcome, Problem as _, Status};
 use crate::model::Model;
 use crate::rig::Variable;
 
@@ -12,6 +12,12 @@ const MET: f64 = 1.0;
 
 /// A multiplier below this part of the largest holds nothing.
 const HOLDS: f64 = 1e-6;
+
+/// A constraint that changes by less than this part of its typical change over the bounds does not change.
+const FLAT: f64 = 1e-9;
+
+/// An equation that costs less than this costs nothing.
+const COSTS: f64 = 1e-6;
 
 /// What became of a request.
 #[derive(Clone, Debug, PartialEq)]
@@ -119,10 +125,14 @@ fn unmet(
 pub(super) fn held<V: Variable>(
     request: &Request,
     model: &Model,
-    task: &Task<'_, V>,
+    task: &mut Task<'_, V>,
     outcome: &Outcome,
 ) -> Vec<Held> {
     let mut list = vec![];
+    let mut here = Evaluation::zeros(&task.statement);
+    if task.evaluate(&outcome.x, &mut here).is_err() {
+        return list;
+    }
     for (k, side) in outcome.active_bounds.iter().enumerate() {
         let Some(side) = side else { continue };
         let typical = task.statement.variables[k].typical;
@@ -131,12 +141,20 @@ pub(super) fn held<V: Variable>(
     }
     for (row, side) in outcome.active.iter().enumerate() {
         let Some(side) = side else { continue };
-        let typical = task.statement.constraints[row].typical;
+        let constraint = task.statement.constraints[row];
+        let typical = constraint.typical;
+        let by = &here.constraint_jacobian[row * outcome.x.len()..][..outcome.x.len()];
+        let changes = by.iter().zip(&task.statement.variables);
+        // What no variable changes holds nothing, whatever its multiplier is.
+        if changes.fold(0.0, |sum: f64, (by, v)| sum + (by * v.typical).abs()) < FLAT * typical {
+            continue;
+        }
         let cost = outcome.multipliers.get(row).map_or(0.0, |m| m.abs() * typical);
-        list.push(Held {
-            name: member(request, model, task, Member::Constraint(row, *side)),
-            cost,
-        });
+        // An equation always holds; it is worth a word where it costs something.
+        if constraint.lower < constraint.upper || cost > COSTS {
+            let name = member(request, model, task, Member::Constraint(row, *side));
+            list.push(Held { name, cost });
+        }
     }
     list.sort_by(|a, b| b.cost.total_cmp(&a.cost));
     let most = list.first().map_or(0.0, |held| held.cost);
@@ -167,12 +185,12 @@ fn member<V: Variable>(
             let which = if upper { "at most" } else { "at least" };
             let shown = quantity.show(model.units, sign * bound);
             let unit = quantity.symbol(model.units);
-            format!("{} {which} {} {unit}", variable.name, rounded(shown))
+            format!("{} {which} {} {unit}", variable.name, short(shown))
         }
         Member::Constraint(row, side) => {
             let limit = task.limits.list.iter().find(|limit| limit.row == row);
             if let Some(limit) = limit {
-                return limit.name.clone();
+                return limit.words[usize::from(side == ActiveSide::Upper)].clone();
             }
             let wish = task.goals.wishes.iter().find(|wish| wish.kind == Kind::Hard { row });
             let Some(wish) = wish else { return format!("constraint {row}") };
@@ -183,13 +201,11 @@ fn member<V: Variable>(
                 ActiveSide::Lower => ("at least", constraint.lower),
                 ActiveSide::Upper => ("at most", constraint.upper),
             };
-            let shown = rounded(target.show(model.units, limit));
-            format!("target `{}` {which} {shown} {}", target.name, target.unit(model.units))
+            let shown = short(target.show(model.units, limit));
+            let unit = target.unit(model.units);
+            let state = state_words(&task.goals.states[wish.state], model.units);
+            let at = if state.is_empty() { state } else { format!(" at {state}") };
+            format!("target `{}` {which} {shown} {unit}{at}", target.name)
         }
     }
-}
-
-/// A number with at most six digits behind the point.
-fn rounded(value: f64) -> f64 {
-    (value * 1e6).round() / 1e6 + 0.0
 }

@@ -27,6 +27,7 @@ pub(super) fn import(
     let template = template::find(named);
     let architecture =
         options.architecture.as_deref().or(template.map(|template| template.architecture));
+    let architecture = architecture.or_else(|| template::own_architecture(named));
     let Some(architecture) = architecture else {
         let what = format!(
             "the topology of the template `{named}` is not known: a subsystem does not hold it"

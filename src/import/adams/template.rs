@@ -1,5 +1,7 @@
 //! Which architecture a template of Adams/Car is. A subsystem has no topology; that is in its template.
 
+use crate::model::Architecture;
+
 /// A template of the shared database, or one like it.
 pub(super) struct Template {
     /// Its name without the leading `_`, or the start of it.
@@ -91,8 +93,26 @@ pub(crate) fn adams_name(architecture: &str, point: &str) -> String {
     renamed.map_or(point, |(theirs, _)| *theirs).to_owned()
 }
 
-/// The template of an architecture.
-pub(crate) fn of_architecture(architecture: &str) -> Option<String> {
-    let template = TEMPLATES.iter().find(|template| template.architecture == architecture)?;
-    Some(format!("_{}", template.name))
+/// The template of an architecture: that of the shared database, or one of one's own with the name of the
+/// architecture; and whether it is that of the database.
+pub(crate) fn of_architecture(architecture: &str) -> (String, bool) {
+    let template = TEMPLATES.iter().find(|template| template.architecture == architecture);
+    match template {
+        Some(template) => (format!("_{}", template.name), true),
+        None => (own_word(architecture), false),
+    }
+}
+
+/// The built-in architecture that a template has its name from, as [`of_architecture`] gives it.
+pub(super) fn own_architecture(name: &str) -> Option<&'static str> {
+    let name = name.strip_suffix(".tpl").unwrap_or(name);
+    Architecture::built_in_names().into_iter().find(|known| own_word(known) == name)
+}
+
+/// `_five_link` of `five-link` and of `somewhere/five-link.toml`.
+fn own_word(architecture: &str) -> String {
+    let file = architecture.rsplit(['/', '\\']).next().unwrap_or(architecture);
+    let stem = file.strip_suffix(".toml").unwrap_or(file);
+    let letter = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
+    format!("_{}", stem.chars().map(letter).collect::<String>())
 }

@@ -8,7 +8,7 @@ use super::super::rounded;
 use super::words::{event_name, quantity};
 use super::{Spread, SynthesisReport};
 use crate::design::request::{Goal, Target};
-use crate::design::synthesis::Verdict;
+use crate::design::synthesis::{Deviation, TradeOff, Verdict};
 use crate::model::Quantity;
 
 impl SynthesisReport<'_> {
@@ -46,6 +46,8 @@ impl SynthesisReport<'_> {
             "points": points,
             "total_movement": length(together),
             "held_by": held,
+            "trade_off": self.found.trade_off.iter().map(|design| self.trade_off(design)).collect::<Vec<_>>(),
+            "spread": self.found.spread.iter().map(|spread| self.deviation(spread)).collect::<Vec<_>>(),
             "search": {
                 "starts": self.found.starts,
                 "iterations": self.found.iterations,
@@ -84,6 +86,52 @@ impl SynthesisReport<'_> {
             "words": self.verdict_words(),
             "unmet": unmet.collect::<Vec<_>>(),
             "between": between,
+        })
+    }
+
+    /// A design between two targets.
+    fn trade_off(&self, design: &TradeOff) -> Value {
+        let units = self.model.units;
+        let targets = self.request.targets.iter().zip(&design.factors).zip(0..);
+        let targets = targets.map(|((target, values), index)| {
+            let pareto = self.request.pareto.iter().flat_map(|pareto| pareto.targets);
+            let off = pareto.zip(design.off).find(|(target, _)| *target == index);
+            let show = |value: &Option<f64>| value.map(|value| rounded(target.show(units, value)));
+            json!({
+                "name": target.name,
+                "unit": target.unit(units),
+                "off": off.map(|(_, off)| rounded(off)),
+                "values": values.iter().map(show).collect::<Vec<_>>(),
+            })
+        });
+        let variables = self.request.variables.iter().zip(&design.values);
+        let variables = variables.map(|(variable, value)| {
+            let quantity = variable.parameter.quantity(self.model);
+            let sign = variable.parameter.axis().map_or(1.0, |axis| self.model.axes.signs()[axis]);
+            json!({
+                "name": variable.name,
+                "unit": quantity.symbol(units),
+                "value": rounded(quantity.show(units, sign * value)),
+            })
+        });
+        json!({
+            "targets": targets.collect::<Vec<_>>(),
+            "variables": variables.collect::<Vec<_>>(),
+        })
+    }
+
+    /// How a factor spreads under tolerances.
+    fn deviation(&self, spread: &Deviation) -> Value {
+        let (target, units) = (&self.request.targets[spread.target], self.model.units);
+        let show = |value: f64| rounded(target.show(units, value));
+        let at = target.event.zip(target.states[spread.state].value);
+        json!({
+            "target": target.name,
+            "unit": target.unit(units),
+            "at": at.map(|(event, value)| rounded(quantity(event).show(units, value))),
+            "before": show(spread.before),
+            "after": show(spread.after),
+            "sampled": spread.sampled.map(show),
         })
     }
 

@@ -3,13 +3,17 @@
 use std::io;
 
 use super::super::table::{cell, cell_to};
-use super::words::wanted;
+use super::words::{event_name, quantity, wanted};
 use super::{SynthesisReport, has_one_value, mean};
-use crate::design::request::Target;
+use crate::design::request::{Target, short};
+use crate::design::synthesis::TradeOff;
 use crate::model::Quantity;
 
 /// Decimals of coordinates, as in the new file.
 const DECIMALS: usize = 6;
+
+/// A limit that costs less costs nothing: all targets are met.
+const NO_COST: f64 = 1e-6;
 
 impl SynthesisReport<'_> {
     /// Writes the verdict, targets before and after, what changed and what holds the design.
@@ -35,6 +39,8 @@ impl SynthesisReport<'_> {
         self.write_meanings(writer)?;
         self.write_changes(writer)?;
         self.write_holding(writer)?;
+        self.write_trade_off(writer)?;
+        self.write_spread(writer)?;
         self.write_search(writer)
     }
 
@@ -168,15 +174,75 @@ impl SynthesisReport<'_> {
             return Ok(());
         }
         let row = |held: &crate::design::synthesis::Held| {
-            vec![held.name.clone(), String::new(), format!("{:.3e}", held.cost)]
+            let cost = if held.cost < NO_COST { "0".to_owned() } else { short(held.cost) };
+            vec![held.name.clone(), cost]
         };
         let rows = self.found.held.iter().map(row).collect();
-        aligned(writer, ["Bounds and limits that hold the design", "", "cost"], rows)?;
+        aligned(writer, ["Bounds and limits that hold the design", "cost"], rows)?;
         writeln!(
             writer,
             "\ncost: by about how much half the sum of squares of weighted differences in tolerances would fall if \
              the limit were wider: a\nbound by a quarter of its range, a distance by 1 mm, a hard target by its \
              tolerance, an angle by 1°, a movement by half"
+        )
+    }
+
+    /// The designs between two targets.
+    fn write_trade_off(&self, writer: &mut impl io::Write) -> io::Result<()> {
+        let Some(pareto) = self.request.pareto.filter(|_| !self.found.trade_off.is_empty()) else {
+            return Ok(());
+        };
+        let units = self.model.units;
+        let targets = pareto.targets.map(|target| &self.request.targets[target]);
+        let mean_of = |design: &TradeOff, k: usize| {
+            let value = mean(&design.factors[pareto.targets[k]]);
+            cell(value.map(|value| targets[k].show(units, value)))
+        };
+        let rows = self.found.trade_off.iter().enumerate().map(|(number, design)| {
+            let mut row = vec![(number + 1).to_string()];
+            for k in 0..2 {
+                row.extend([mean_of(design, k), cell(Some(design.off[k]))]);
+            }
+            row
+        });
+        let heads = targets.map(|target| format!("{} [{}]", target.name, target.unit(units)));
+        let heads = ["Trade-off", &heads[0], "off", &heads[1], "off"];
+        aligned(writer, heads, rows.collect())?;
+        writeln!(
+            writer,
+            "\noff: root of the mean square of differences in tolerances, times the weight; of what is to be small or \
+             great its mean in tolerances,\nless being better; values over a range are means; --format json has the \
+             coordinates of each design"
+        )
+    }
+
+    /// How factors spread under tolerances.
+    fn write_spread(&self, writer: &mut impl io::Write) -> io::Result<()> {
+        let Some(robustness) = self.request.robustness.as_ref() else { return Ok(()) };
+        let units = self.model.units;
+        let rows = self.found.spread.iter().map(|spread| {
+            let target = &self.request.targets[spread.target];
+            let show = |value: Option<f64>| cell(value.map(|value| target.show(units, value)));
+            let title = match target.event.zip(target.states[spread.state].value) {
+                None => self.title(target),
+                Some((event, value)) => {
+                    let (name, quantity) = (event_name(event), quantity(event));
+                    let value = short(quantity.show(units, value));
+                    format!("{} at {name} {value} {}", target.name, quantity.symbol(units))
+                }
+            };
+            let values = [Some(spread.before), Some(spread.after), spread.sampled].map(show);
+            let mut row = vec![title, target.unit(units)];
+            row.extend(values);
+            row
+        });
+        let heads = ["Standard deviation under tolerances", "unit", "before", "after", "sampled"];
+        aligned(writer, heads, rows.collect())?;
+        writeln!(
+            writer,
+            "\nbefore, after: to first order; sampled: of {} random designs around the new one; a tolerance is three \
+             standard deviations",
+            robustness.samples
         )
     }
 

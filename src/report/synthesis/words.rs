@@ -2,10 +2,10 @@
 
 use super::super::table::cell;
 use super::SynthesisReport;
-use crate::design::request::{Goal, Target};
+use crate::design::request::{Goal, State, Target, short, state_words};
 use crate::design::synthesis::Verdict;
-use crate::model::{CaseInput, LOAD_COMPONENTS, Quantity, Side, Units};
-use crate::rig::{Event, Hold};
+use crate::model::{CaseInput, LOAD_COMPONENTS, Quantity, Units};
+use crate::rig::Event;
 
 impl SynthesisReport<'_> {
     /// What stands against the targets, in lines for the terminal; `None` where all are met.
@@ -79,11 +79,12 @@ impl SynthesisReport<'_> {
     fn place(&self, target: &Target) -> String {
         let units = self.model.units;
         let Some(event) = target.event else {
-            let held = held(target, units);
-            return if held.is_empty() { held } else { format!(" at {held}") };
+            let held = target.states.first().map(|state| state_words(&state.rig, units));
+            let held = held.filter(|held| !held.is_empty());
+            return held.map_or_else(String::new, |held| format!(" at {held}"));
         };
         let quantity = quantity(event);
-        let end = |state: Option<&crate::design::request::State>| {
+        let end = |state: Option<&State>| {
             let value = state.and_then(|state| state.value).unwrap_or_default();
             short(quantity.show(units, value))
         };
@@ -137,53 +138,4 @@ pub(super) fn quantity(event: Event) -> Quantity {
         }
         _ => Quantity::Length,
     }
-}
-
-/// What holds the one state of a target, where that is not the design position.
-fn held(target: &Target, units: Units) -> String {
-    let Some(state) = target.states.first() else { return String::new() };
-    let mut words = vec![];
-    let [left, right] = state.rig.wheels;
-    let sides: &[(&str, Hold)] = match left == right {
-        true => &[("", left)],
-        false => &[("left ", left), ("right ", right)],
-    };
-    let shown = |quantity: Quantity, value: f64| {
-        format!("{} {}", short(quantity.show(units, value)), quantity.symbol(units))
-    };
-    for (side, hold) in sides {
-        match hold {
-            Hold::Value(0.0) => {}
-            Hold::Value(travel) => {
-                words.push(format!("{side}travel {}", shown(Quantity::Length, *travel)));
-            }
-            Hold::Force(force) => {
-                words.push(format!("{side}wheel force {}", shown(Quantity::Force, *force)));
-            }
-        }
-    }
-    if state.rig.rack != 0.0 {
-        words.push(format!("rack {}", shown(Quantity::Length, state.rig.rack)));
-    }
-    for (component, name) in LOAD_COMPONENTS.iter().enumerate() {
-        let values = state.rig.load.map(|load| load.components[component]);
-        let quantity = CaseInput::Load(component, None).quantity();
-        if values[0] == values[1] {
-            if values[0] != 0.0 {
-                words.push(format!("{name} {}", shown(quantity, values[0])));
-            }
-            continue;
-        }
-        for (side, value) in [Side::Left, Side::Right].into_iter().zip(values) {
-            if value != 0.0 {
-                words.push(format!("{} {name} {}", side.name(), shown(quantity, value)));
-            }
-        }
-    }
-    words.join(", ")
-}
-
-/// A number as short as it may be to six decimals.
-fn short(value: f64) -> String {
-    ((value * 1e6).round() / 1e6 + 0.0).to_string()
 }
