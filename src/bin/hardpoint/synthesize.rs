@@ -74,6 +74,8 @@ impl Synthesize {
     /// Runs the command.
     pub fn run(self) -> Result<(), Failure> {
         self.check_files()?;
+        let named = self.report.as_deref().map(Sheet::of).transpose()?.flatten();
+        let format = self.format.or(named).unwrap_or(Sheet::Table);
         let text = ModelText::load(&self.model)?;
         let model = self.settings.apply(text.read()?)?;
         let mut request = Request::load(&self.targets, &model)?;
@@ -102,7 +104,24 @@ impl Synthesize {
             }
             _ => None,
         };
-        self.finish(&request, &model, setup.drive, &before.values, &found, written.as_ref())
+        let verdict = written.as_ref().map_or(&found.verdict, |written| &written.verdict);
+        let file = self.output.as_deref().filter(|_| *verdict == Verdict::Met || self.force);
+        let file = file.filter(|_| written.is_some());
+        let report = SynthesisReport {
+            model: &model,
+            request: &request,
+            drive: setup.drive,
+            verdict,
+            before: &before.values,
+            design: written.as_ref().map(|written| (&written.model, &written.after[..])),
+            found: &found,
+            file: file.and_then(Path::to_str),
+        };
+        if let (Some(written), Some(file)) = (&written, file) {
+            let output = Output::File(file.to_owned());
+            output.write(|writer| writer.write_all(written.text.text().as_bytes()))?;
+        }
+        self.tell(&report, format)
     }
 
     /// Refuses places that would take that of an input.
@@ -149,36 +168,9 @@ impl Synthesize {
         Ok(Written { text, model: new, after, verdict })
     }
 
-    fn finish(
-        &self,
-        request: &Request,
-        model: &Model,
-        drive: Drive,
-        before: &[Vec<Option<f64>>],
-        found: &Synthesis,
-        written: Option<&Written>,
-    ) -> Result<(), Failure> {
-        let verdict = written.map_or(&found.verdict, |written| &written.verdict);
-        let wanted = *verdict == Verdict::Met || self.force;
-        let file = self.output.as_deref().filter(|_| wanted);
-        if let (Some(written), Some(file)) = (written, file) {
-            let output = Output::File(file.to_owned());
-            output.write(|writer| writer.write_all(written.text.text().as_bytes()))?;
-        }
-        let file = file.filter(|_| written.is_some()).map(|file| file.display().to_string());
-        let report = SynthesisReport {
-            model,
-            request,
-            drive,
-            verdict,
-            before,
-            design: written.map(|written| (&written.model, &written.after[..])),
-            found,
-            file: file.as_deref(),
-        };
-        let named = self.report.as_deref().map(Sheet::of).transpose()?.flatten();
+    /// Writes the report, and fails where targets are missed.
+    fn tell(&self, report: &SynthesisReport, format: Sheet) -> Result<(), Failure> {
         let output = self.report.clone().map_or(Output::Stdout, Output::File);
-        let format = self.format.or(named).unwrap_or(Sheet::Table);
         output.write(|writer| match format {
             Sheet::Table => report.write_table(writer),
             Sheet::Json => report.write_json(writer),
@@ -189,7 +181,7 @@ impl Synthesize {
                     // The table has the rest.
                     words.truncate(words.find('\n').map_or(words.len(), |end| end + 1));
                 }
-                if written.is_some() && file.is_none() && self.output.is_some() {
+                if report.design.is_some() && report.file.is_none() && self.output.is_some() {
                     words += "no model is written: let more change, want less, or write this one with --force\n";
                 }
                 Err(Failure::Unmet(words))

@@ -26,8 +26,9 @@ pub(super) enum Kind {
     Residual { row: usize, wanted: f64 },
     /// A residual outside of a band.
     Band { row: usize, limits: [f64; 2] },
-    /// A constraint.
-    Hard { row: usize },
+    /// A constraint, with a residual outside of its limits, too: where it is met that is zero, and on the way there
+    /// the search does not lose sight of it where other targets are curved.
+    Hard { row: usize, residual: usize, limits: [f64; 2] },
     /// A part of the objective with this factor.
     Open { factor: f64 },
 }
@@ -83,18 +84,23 @@ impl Goals {
             Goal::Maximise => return Kind::Open { factor: -share },
             Goal::Band { min, max } => {
                 let limits = [min.unwrap_or(f64::NEG_INFINITY), max.unwrap_or(f64::INFINITY)];
-                if target.hard {
-                    return Kind::Hard { row: self.constrain(limits, target.tolerance) };
-                }
                 self.weights.push(weight);
+                if target.hard {
+                    return self.hard(limits, target.tolerance);
+                }
                 return Kind::Band { row: self.weights.len() - 1, limits };
             }
         };
-        if target.hard {
-            return Kind::Hard { row: self.constrain([wanted; 2], target.tolerance) };
-        }
         self.weights.push(weight);
+        if target.hard {
+            return self.hard([wanted; 2], target.tolerance);
+        }
         Kind::Residual { row: self.weights.len() - 1, wanted }
+    }
+
+    /// A constraint with the residual whose weight was added last.
+    fn hard(&mut self, limits: [f64; 2], typical: f64) -> Kind {
+        Kind::Hard { row: self.constrain(limits, typical), residual: self.weights.len() - 1, limits }
     }
 
     /// Adds a constraint and returns its row.
@@ -129,9 +135,14 @@ impl Goals {
             };
             let bounded = self.bounded.filter(|(target, _)| *target == wish.target);
             match wish.kind {
-                Kind::Hard { row } => {
+                Kind::Hard { row, residual, limits: [least, most] } => {
                     out.constraints[row] = off;
                     out.constraint_jacobian[row * n..][..n].copy_from_slice(&by);
+                    let outside = (value - most).max(0.0) + (value - least).min(0.0);
+                    out.residuals[residual] = outside;
+                    if outside != 0.0 || least == most {
+                        out.residual_jacobian[residual * n..][..n].copy_from_slice(&by);
+                    }
                 }
                 Kind::Open { factor } => {
                     if let Some((_, row)) = bounded {

@@ -99,10 +99,11 @@ fn rank(outcome: &Outcome) -> (u8, f64) {
         Status::Stalled(kkt) | Status::Iterations(kkt) if kkt.violation < 1e-6 => {
             (0, outcome.objective)
         }
-        Status::Stalled(kkt) | Status::Iterations(kkt) => (1, kkt.violation),
+        // What contradicts itself says more than a search that has not ended.
         Status::Infeasible(conflict) => {
-            (2, conflict.violations.iter().map(|violation| violation.abs()).sum())
+            (1, conflict.violations.iter().map(|violation| violation.abs()).sum())
         }
+        Status::Stalled(kkt) | Status::Iterations(kkt) => (2, kkt.violation),
         Status::EvaluationFailed(_) => (3, 0.0),
     }
 }

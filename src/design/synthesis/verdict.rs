@@ -192,7 +192,8 @@ fn member<V: Variable>(
             if let Some(limit) = limit {
                 return limit.words[usize::from(side == ActiveSide::Upper)].clone();
             }
-            let wish = task.goals.wishes.iter().find(|wish| wish.kind == Kind::Hard { row });
+            let is_own = |kind| matches!(kind, Kind::Hard { row: own, .. } if own == row);
+            let wish = task.goals.wishes.iter().find(|wish| is_own(wish.kind));
             let Some(wish) = wish else { return format!("constraint {row}") };
             let target = &request.targets[wish.target];
             let constraint = &task.statement.constraints[row];

@@ -24,20 +24,22 @@ impl SynthesisReport<'_> {
                 ),
             },
             Verdict::Compromise { unmet } => {
-                let mut words = format!(
-                    "{} of {count} targets missed; this is the best design that was found, and it keeps all limits\n",
-                    unmet.len()
-                );
+                let what = match count {
+                    1 => "the target is missed".to_owned(),
+                    _ => format!("{} of {count} targets are missed", unmet.len()),
+                };
+                let mut words =
+                    format!("{what}; this is the best design that was found, and it keeps all limits\n");
                 for unmet in unmet {
                     let target = &self.request.targets[unmet.target];
                     let units = self.model.units;
                     words += &format!(
-                        "  {} is off by {} {}, {:.1} of its tolerance{}\n",
+                        "  {} is off by {} {}{}: {:.1} times its tolerance\n",
                         self.title(target),
                         cell(Some(target.show(units, unmet.off))),
                         target.unit(units),
-                        unmet.tolerances,
-                        if target.states.len() == 1 { "" } else { ", at most" }
+                        if target.states.len() == 1 { "" } else { " at most" },
+                        unmet.tolerances
                     );
                 }
                 words
