@@ -1,11 +1,16 @@
 //! Derivatives of factors by parameters of models.
 
+#[path = "common/varying.rs"]
+mod varying;
+
 use std::collections::HashMap;
 
 use hardpoint::design::{Parameter, Sensitivities, Way, sensitivities};
 use hardpoint::factors::{Convention, Factor, find};
-use hardpoint::model::{Model, Quantity, Setup};
+use hardpoint::model::{Chassis, Drive, Model, Quantity, Setup};
 use hardpoint::rig::Corner;
+
+use varying::{Case, check};
 
 const COLUMNS: [(&str, &str); 15] = [
     ("toe_deg", "toe"),
@@ -93,4 +98,43 @@ fn sedan_has_the_derivatives_of_independent_kinematics() {
         }
     }
     assert_eq!(compared, 2 * 99 * 15);
+}
+
+#[test]
+fn double_wishbones_have_the_derivatives_of_models_made_anew() {
+    check(&Case::new("double-wishbone").at(37.0, 0.0, 6.0), 10);
+    check(
+        &Case::new("double-wishbone")
+            .with_setup(|s| s.drive = Drive::ContactPatch)
+            .at(-20.0, 0.0, -9.0),
+        8,
+    );
+    check(&Case::axle("double-wishbone").at(20.0, -31.0, 12.0), 8);
+}
+
+#[test]
+fn a_right_side_in_adams_axes_with_a_point_on_its_spin_axis_has_them() {
+    check(&Case::new("lotus-front").at(0.0, 23.0, 4.0), 12);
+    check(&Case::axle("lotus-front").at(11.0, 23.0, 4.0), 8);
+}
+
+#[test]
+fn struts_links_and_rockers_have_them() {
+    check(&Case::new("macpherson").at(31.0, 0.0, -7.0), 10);
+    check(&Case::new("five-link").at(-28.0, 0.0, 0.0), 10);
+    check(&Case::new("double-wishbone-pushrod").at(14.0, 0.0, 3.0), 12);
+    check(&Case::axle("double-wishbone-pushrod").at(14.0, -9.0, 3.0), 10);
+}
+
+#[test]
+fn axles_of_one_mechanism_have_them() {
+    check(&Case::axle("solid-axle").at(25.0, -12.0, 0.0), 10);
+    check(&Case::axle("solid-axle-watt").at(5.0, 30.0, 0.0), 8);
+}
+
+#[test]
+fn a_chassis_that_rolls_has_them() {
+    let rolls = |s: &mut Setup| s.chassis = Chassis::Roll { axis: 0.05 };
+    let case = Case::axle("double-wishbone").with_setup(rolls).at(8.0, 3.0, 2.0);
+    check(&case.with_target(|t| t.roll = 0.03), 8);
 }

@@ -1,7 +1,11 @@
 //! Design: how factors change with hard points and other parameters, and which of these give wanted factors.
 
+pub mod event;
+mod laws;
 pub mod parameter;
+mod resolve;
 pub mod sensitivity;
 
+pub use event::{EventSensitivities, StateSensitivities, along};
 pub use parameter::{Parameter, UnknownParameter};
-pub use sensitivity::{Sensitivities, SensitivityFailure, Way, sensitivities};
+pub use sensitivity::{Sensitivities, Sensitivity, SensitivityFailure, Way, sensitivities};

@@ -2,7 +2,8 @@
 
 use thiserror::Error;
 
-use super::parameter::{Parameter, Resolved};
+use super::parameter::Parameter;
+use super::resolve::Resolved;
 use crate::assembly::ElementConstant;
 use crate::factors::{Convention, Factor, Need};
 use crate::model::{Model, Side};
@@ -29,6 +30,8 @@ pub struct Sensitivities {
     pub rows: Vec<Sensitivity>,
     /// The parameters by which there is no derivative, with the reason; their entries are empty.
     pub refused: Vec<(String, String)>,
+    /// The factors that the state does not have, with what they need.
+    pub lacking: Vec<(&'static str, String)>,
 }
 
 /// A factor of a wheel with its derivatives.
@@ -68,14 +71,16 @@ pub fn sensitivities(
     specimen.measure_compliance(compliance);
     let poses = specimen.poses();
     let compliance = poses.iter().any(|pose| pose.compliance.is_some());
-    let resolved: Vec<Resolved> = parameters.iter().map(|p| p.resolve(specimen)).collect();
+    let resolved: Vec<Resolved> = parameters.iter().map(|p| p.resolve(specimen, model)).collect();
     let mut constants: Vec<ElementConstant> = vec![];
     for resolved in &resolved {
         if let Resolved::Constants(own) = resolved {
-            constants.extend(own);
+            constants.extend(own.iter().map(|(constant, _)| constant));
         }
     }
     let mut rows = rows(&poses, factors, convention);
+    let lacking = factors.iter().filter_map(|factor| Some((factor.name, lacking(factor, &poses)?)));
+    let lacking = lacking.collect();
     let redundant = !specimen.stand().freedom().redundant.is_empty();
     let labels = specimen.stand().system().expansion().clone();
     let mut varied = specimen.vary(&constants, compliance)?;
@@ -129,7 +134,17 @@ pub fn sensitivities(
         }
     }
     let rows = rows.into_iter().map(Row::finish).collect();
-    Ok(Sensitivities { rows, refused })
+    Ok(Sensitivities { rows, refused, lacking })
+}
+
+/// What a factor needs and the state does not have.
+fn lacking(factor: &Factor, poses: &[Pose<f64>]) -> Option<String> {
+    let first = poses.first()?;
+    if let Some(axle) = factor.axle.filter(|_| !factor.applies(first)) {
+        return Some(format!("a {} axle", axle.name()));
+    }
+    let missing: Vec<&str> = factor.missing(first).map(Need::words).collect();
+    (!missing.is_empty()).then(|| missing.join(" and "))
 }
 
 /// A row on its way.
