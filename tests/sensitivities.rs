@@ -138,3 +138,68 @@ fn a_chassis_that_rolls_has_them() {
     let case = Case::axle("double-wishbone").with_setup(rolls).at(8.0, 3.0, 2.0);
     check(&case.with_target(|t| t.roll = 0.03), 8);
 }
+
+/// A trailing arm on two hinges, of which the second one is redundant: it may move along their common axis
+/// and no other way. Else the derivatives are those of the arm on one hinge.
+#[test]
+fn what_breaks_redundant_equations_is_refused_by_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = env!("CARGO_MANIFEST_DIR");
+    let read = |path: &str| std::fs::read_to_string(format!("{root}/{path}")).unwrap();
+    let hinge = "
+[[joints]]
+name = \"second_pivot\"
+kind = \"revolute\"
+between = [\"chassis\", \"arm\"]
+at = \"arm_far\"
+axis = [\"arm_inner\", \"arm_far\"]
+
+[wheel]";
+    let points = "[points]\narm_far = \"Second pivot\"";
+    let architecture = read("architectures/trailing-arm.toml");
+    let architecture = architecture.replace("[points]", points).replace("\n[wheel]", hinge);
+    std::fs::write(folder.path().join("two-hinges.toml"), architecture).unwrap();
+    let text = read("models/trailing-arm.toml");
+    let one = Model::parse("models/model.toml", &text).unwrap();
+    let [inner, outer] = ["arm_inner", "arm_outer"].map(|name| one.point(name).unwrap());
+    let far: [f64; 3] = std::array::from_fn(|k| 1e3 * (1.6 * outer[k] - 0.6 * inner[k]));
+    let text = text
+        .replace("architecture = \"trailing-arm\"", "architecture = \"two-hinges.toml\"")
+        .replace("[points]", &format!("[points]\narm_far = {far:?}"));
+    let path = folder.path().join("model.toml");
+    let two =
+        Model::parse(path.to_str().unwrap(), &text).unwrap_or_else(|e| panic!("{}", e.render()));
+    let factors = ["toe", "bump_camber", "wheel_center_x"].map(|name| find(name).unwrap());
+    let found = |model: &Model, way: Way| {
+        let parameters = Parameter::coordinates(model);
+        let mut corner = Corner::new(model, &Setup::default()).unwrap();
+        corner.move_to(0.03, 0.0).unwrap();
+        let found =
+            sensitivities(&mut corner, model, &factors, Convention::Iso, &parameters, way).unwrap();
+        (parameters, found)
+    };
+    let (of_one, expected) = found(&one, Way::Direct);
+    for way in [Way::Direct, Way::Adjoint] {
+        let (parameters, found) = found(&two, way);
+        let refused: Vec<&str> = found.refused.iter().map(|(name, _)| name.as_str()).collect();
+        let moves = ["arm_inner", "arm_far"].map(|p| ["x", "z"].map(|axis| format!("{p}.{axis}")));
+        // The axes of both hinges go through the inner point, but the first one has its direction from the outer one.
+        for name in moves.as_flattened() {
+            assert!(refused.contains(&name.as_str()), "{name} is not among {refused:?}");
+        }
+        assert!(found.refused[0].1.contains("redundant"), "{:?}", found.refused);
+        for (k, parameter) in parameters.iter().enumerate() {
+            let Some(one) = of_one.iter().position(|other| other.name == parameter.name) else {
+                continue;
+            };
+            if refused.contains(&parameter.name.as_str()) {
+                assert!(found.rows.iter().all(|row| row.by[k].is_none()));
+                continue;
+            }
+            for (row, expected) in found.rows.iter().zip(&expected.rows) {
+                let off = row.by[k].unwrap() - expected.by[one].unwrap();
+                assert!(off.abs() < 1e-9, "{}/{}: {off:e}", row.factor.name, parameter.name);
+            }
+        }
+    }
+}

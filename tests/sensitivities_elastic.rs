@@ -4,6 +4,7 @@
 mod varying;
 
 use hardpoint::model::{Chassis, Setup};
+use hardpoint::rig::{Axle, Hold, Specimen as _, Target};
 
 use varying::{Case, check};
 
@@ -94,4 +95,23 @@ fn a_chassis_that_rolls_on_springs_has_them() {
     let rolls = |s: &mut Setup| s.chassis = Chassis::Roll { axis: 0.05 };
     let case = Case::axle("sedan-axle").with_setup(rolls).at(8.0, 3.0, 2.0);
     check(&case.with_target(|t| t.roll = 0.02), 8);
+}
+
+/// Wheels held by forces go where they have them again, and so does a body that is held by one.
+#[test]
+fn wheels_and_a_body_that_forces_hold_have_them() {
+    let forces = |case: Case, left: f64, right: f64| {
+        case.with_target(|t| t.wheels = [left, right].map(Hold::Force))
+    };
+    check(&forces(Case::new("bushed-double-wishbone"), 3900.0, 0.0), 10);
+    check(&forces(Case::new("sedan-axle").with_setup(|s| s.kinematic = true), 4200.0, 0.0), 8);
+    let axle = Case::axle("sedan-axle").at(0.0, 0.0, 4.0);
+    let loads = [[0.0, 700.0, 0.0, 0.0, 0.0, 0.0], [0.0, 900.0, 0.0, 0.0, 0.0, 0.0]];
+    check(&forces(axle.loaded(loads[0], loads[1]), 4300.0, 3500.0), 8);
+    let rolls = |s: &mut Setup| s.chassis = Chassis::Roll { axis: 0.05 };
+    let case = Case::axle("sedan-axle").with_setup(rolls).at(8.0, 3.0, 2.0);
+    let mut held = Axle::new(&case.model(), &case.setup).unwrap();
+    held.go_to(&Target { roll: 0.02, ..case.target }).unwrap();
+    let force = Hold::Force(1.03 * held.supports().chassis);
+    check(&case.with_target(|t| (t.roll, t.heave) = (0.02, force)), 8);
 }

@@ -261,7 +261,7 @@ fn check_on<V: Variable>(case: &Case, stand: impl Fn(&Model) -> V, samples: usiz
         }
         let size = |row: &Sensitivity| {
             // A factor that is constant has derivatives that are rounding.
-            let least = 1e-5 * row.value.unwrap_or(0.0).abs().max(1.0);
+            let least = 1e-4 * row.value.unwrap_or(0.0).abs().max(1.0);
             1e-3 * largest(row, &parameters).max(least) / step(&parameters[k])
         };
         let sizes: Vec<f64> = direct.rows.iter().map(size).collect();
@@ -272,15 +272,22 @@ fn check_on<V: Variable>(case: &Case, stand: impl Fn(&Model) -> V, samples: usiz
                 continue;
             }
             let by = row.by[k].unwrap_or(f64::NAN);
+            let by_force = case.target.wheels.iter().any(|hold| matches!(hold, Hold::Force(_)));
+            if by_force && ["wheel_load", "loaded_radius"].contains(&row.factor.name) {
+                // Models made anew have the force as exactly as the rig seeks it.
+                assert!((by * step(&parameters[k])).abs() < 1e-12 * row.value.unwrap().abs());
+                continue;
+            }
             let allowed = 1e-6 * expected.abs().max(size);
-            if !((by - expected).abs() <= allowed) {
+            let off = (by - expected).abs();
+            if off.is_nan() || off > allowed {
                 wrong.push(format!(
                     "{}: d{} ({} side)/d{}: {by:e} for {expected:e}, off by {:.1e} allowed",
                     name,
                     row.factor.name,
                     row.side.name(),
                     parameters[k].name,
-                    (by - expected).abs() / allowed,
+                    off / allowed,
                 ));
             }
         }
@@ -305,7 +312,7 @@ fn compare_ways(
     for (row, other) in direct.rows.iter().zip(&adjoint.rows) {
         assert_eq!((row.factor.name, row.side), (other.factor.name, other.side));
         // A factor that is constant has derivatives that are rounding.
-        let least = 1e-6 * row.value.unwrap_or(0.0).abs().max(1.0);
+        let least = 1e-4 * row.value.unwrap_or(0.0).abs().max(1.0);
         let largest = largest(row, parameters).max(least);
         for ((by, other), parameter) in row.by.iter().zip(&other.by).zip(parameters) {
             let size = step(parameter);
@@ -315,7 +322,7 @@ fn compare_ways(
             };
             let allowed = 1e-11 * (by.abs() * size).max(largest);
             let off = (by - other).abs() * size;
-            if !(off <= allowed) {
+            if off.is_nan() || off > allowed {
                 wrong.push(format!(
                     "{name}: d{} ({} side)/d{}: {by:e} direct, {other:e} adjoint, off by {:.1e} allowed",
                     row.factor.name,
