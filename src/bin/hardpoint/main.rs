@@ -15,6 +15,7 @@ mod output;
 mod progress;
 mod report;
 mod rig;
+mod sensitivity;
 mod settings;
 mod settle;
 mod steering;
@@ -59,6 +60,7 @@ enum Command {
     Import(import::Import),
     Report(report::Report),
     Rig(rig::Rig),
+    Sensitivity(sensitivity::Sensitivity),
     Settle(settle::Settle),
     Sweep(sweep::Sweep),
 }
@@ -75,6 +77,7 @@ fn main() -> ExitCode {
         Command::Import(command) => command.run(),
         Command::Report(command) => command.run(),
         Command::Rig(command) => command.run(),
+        Command::Sensitivity(command) => command.run(),
         Command::Settle(command) => command.run(),
         Command::Sweep(command) => command.run(),
     };
