@@ -32,7 +32,8 @@ fn problem() -> (Model, Request) {
             rows.push(format!("[{}, {:e}]", 10 * k, value.expect("it is defined")));
         }
         let rows = rows.join(", ");
-        let _ = writeln!(text, "[[targets]]\nfactor = \"{name}\"\nover = \"travel\"\ncurve = [{rows}]");
+        let _ =
+            writeln!(text, "[[targets]]\nfactor = \"{name}\"\nover = \"travel\"\ncurve = [{rows}]");
     }
     let mut perturbed = original;
     let mut random = fastrand::Rng::with_seed(6);

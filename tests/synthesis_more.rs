@@ -56,7 +56,8 @@ points = 6
         assert!((b[1] - limit).abs() < 1e-5 * last[1], "{} for {limit} in {offs:?}", b[1]);
     }
     // What both targets together lead to lies on neither side of the curve of designs.
-    let off = |value: Option<f64>, wanted: f64, tolerance: f64| (value.unwrap() - wanted) / tolerance;
+    let off =
+        |value: Option<f64>, wanted: f64, tolerance: f64| (value.unwrap() - wanted) / tolerance;
     let camber = off(found.after[0][0], (-40.0_f64).to_radians(), 0.1_f64.to_radians()).abs();
     let center = off(found.after[1][0], 0.06, 1e-4).abs();
     assert!(!offs.iter().any(|[a, b]| *a < camber - 1e-4 && *b < center - 1e-4), "{offs:?}");

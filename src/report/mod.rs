@@ -9,6 +9,7 @@ mod factors;
 mod json;
 mod lotus;
 mod programme;
+mod sensitivity;
 mod settle;
 mod statics;
 mod table;
@@ -20,6 +21,7 @@ pub use drawing::drawing;
 pub use factors::{FactorSheet, write_definitions};
 pub use lotus::LotusReport;
 pub use programme::{ProgrammeSummary, StageResult};
+pub use sensitivity::{SensitivityReport, write_parameters};
 pub use settle::{SettleReport, SettleRow};
 pub use statics::StaticsReport;
 

@@ -173,16 +173,22 @@ impl<'a> Varied<'a> {
         }
         let mut drivers: Vec<DriverId> = stations.iter().map(|station| station.travel).collect();
         drivers.extend(stations.first().and_then(|station| station.rack));
+        let by_force: Vec<DriverId> = stand.by_force().to_vec();
         let wheels = stations.iter().map(|station| (station.wheel.body, station.wheel.center));
         let equation = |driver: DriverId| stand.equilibrium().equation_of(driver);
+        let by_force = by_force.into_iter().map(|driver| (driver, equation(driver))).collect();
         let question = match measures_compliance {
             true => Question {
+                by_force,
                 let_go: stations.iter().map(|station| equation(station.travel)).collect(),
                 points: wheels.collect(),
                 drivers,
                 constants: constants.to_vec(),
             },
-            false => Question { drivers, constants: constants.to_vec(), ..Question::default() },
+            false => {
+                let constants = constants.to_vec();
+                Question { by_force, drivers, constants, ..Question::default() }
+            }
         };
         let values = stand.equilibrium().driver_values().iter();
         let drivers = values.map(|&value| Dual::from_f64(value)).collect();
@@ -260,6 +266,14 @@ impl<'a> Varied<'a> {
         Ok(Moved { poses, state, points, origins })
     }
 
+    /// Whether the equations that are left out as redundant go with a change.
+    ///
+    /// # Errors
+    /// [`SensitivityError::Redundant`] where one does not.
+    pub fn check(&self, change: &Change) -> Result<(), SensitivityError> {
+        self.sensitivity.check(&self.frame, change)
+    }
+
     /// The derivatives of results of the poses by everything that a change has. `results` gives values and
     /// derivatives for poses; `count` is the number of them.
     ///
@@ -276,6 +290,7 @@ impl<'a> Varied<'a> {
         for gradient in &mut gradients {
             gradient.unknowns = vec![0.0; self.frame.size()];
             gradient.tangents = vec![vec![0.0; self.frame.size()]; tangents];
+            gradient.ways = vec![0.0; self.question.by_force.len()];
             gradient.direct = self.no_change();
         }
         for seed in self.seeds(&seeded) {
@@ -320,6 +335,7 @@ impl<'a> Varied<'a> {
         for point in points {
             seeds.extend((0..3).map(|axis| Seed::Point { point, axis }));
         }
+        seeds.extend((0..response.ways.len()).map(|driver| Seed::Way { driver }));
         let places = self.stations.iter().flat_map(Station::adjusted_parameters);
         seeds.extend(places.map(|parameter| Seed::Parameter { parameter }));
         seeds
@@ -336,12 +352,16 @@ impl<'a> Varied<'a> {
 
     /// The poses of a response.
     fn poses_of(&self, response: &Response) -> Vec<Pose<Dual>> {
+        let mut drivers = self.drivers.clone();
+        for ((driver, _), way) in self.question.by_force.iter().zip(&response.ways) {
+            drivers[driver.index()].derivative = way.derivative;
+        }
         let view = View {
             bodies: self.bodies,
             points: &response.points,
             state: &response.state,
             h: &response.h,
-            drivers: &self.drivers,
+            drivers: &drivers,
         };
         let tangent = |driver: DriverId| {
             let k = self.question.drivers.iter().position(|&asked| asked == driver)?;
@@ -403,6 +423,7 @@ enum Seed {
     Multiplier { equation: usize, entry: usize },
     Point { point: usize, axis: usize },
     Parameter { parameter: usize },
+    Way { driver: usize },
 }
 
 impl Seed {
@@ -413,6 +434,7 @@ impl Seed {
             Self::Multiplier { equation, .. } => &mut response.lambda[equation],
             Self::Point { point, axis } => &mut response.points[point][axis],
             Self::Parameter { parameter } => &mut response.h[parameter],
+            Self::Way { driver } => &mut response.ways[driver],
         }
     }
 
@@ -428,6 +450,7 @@ impl Seed {
             }
             Self::Point { point, axis } => &mut gradient.direct.points[point][axis],
             Self::Parameter { parameter } => &mut gradient.direct.h[parameter],
+            Self::Way { driver } => &mut gradient.ways[driver],
         }
     }
 }

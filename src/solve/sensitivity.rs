@@ -45,6 +45,8 @@ pub struct Question {
     pub points: Vec<(BodyId, PointId)>,
     /// The equations of drivers that let go in the compliance.
     pub let_go: Vec<usize>,
+    /// The drivers, among those above, that are held by forces instead of at values, with their equations.
+    pub by_force: Vec<(DriverId, usize)>,
     /// The constants of laws that are varied.
     pub constants: Vec<ElementConstant>,
 }
@@ -69,6 +71,16 @@ impl Change {
         self
     }
 
+    /// Adds another one, `factor` times.
+    fn add(&mut self, factor: f64, other: &Self) {
+        let add = |to: &mut [f64], from: &[f64]| {
+            to.iter_mut().zip(from).for_each(|(to, from)| *to += factor * from);
+        };
+        add(&mut self.h, &other.h);
+        add(&mut self.constants, &other.constants);
+        add(self.points.as_flattened_mut(), other.points.as_flattened());
+    }
+
     /// The sum of the products of all entries.
     pub fn dot(&self, other: &Self) -> f64 {
         let sum = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
@@ -88,6 +100,8 @@ pub struct Response {
     pub h: Vec<Dual>,
     /// Design positions of all points (m).
     pub points: Vec<Vector<Dual>>,
+    /// How far (m or rad) the drivers that forces hold go; the values are zero.
+    pub ways: Vec<Dual>,
     /// The tangents by the drivers of the question, then those by unit loads: coordinates, then multipliers of
     /// kept equations.
     pub tangents: Vec<Vec<Dual>>,
@@ -100,6 +114,8 @@ pub struct Gradient {
     pub unknowns: Vec<f64>,
     /// By the entries of each tangent.
     pub tangents: Vec<Vec<f64>>,
+    /// By the values of drivers that forces hold, directly.
+    pub ways: Vec<f64>,
     /// By parameters and points directly.
     pub direct: Change,
 }
@@ -117,6 +133,23 @@ pub struct Sensitivity {
     let_go_transposed: Border,
     excess: Vec<f64>,
     at: Dualised,
+    by_force: ByForce,
+    left_out: Vec<LeftOut>,
+}
+
+/// Drivers that go where they have the same forces again.
+#[derive(Default)]
+struct ByForce {
+    /// The inverse of the derivatives of their multipliers (rows) by their values (columns), row by row.
+    inverse: Vec<f64>,
+    /// The derivatives of their multipliers by everything, all drivers held at their values.
+    gradients: Vec<Change>,
+}
+
+/// An equation that is left out, with what a change of the kept ones does to it: −Φ_q M⁻¹.
+struct LeftOut {
+    equation: usize,
+    response: Vec<f64>,
 }
 
 #[derive(Default)]
@@ -197,6 +230,8 @@ impl Sensitivity {
             let_go_transposed: Border::default(),
             excess: vec![],
             at: Dualised::default(),
+            by_force: ByForce::default(),
+            left_out: vec![],
         }
     }
 
@@ -253,6 +288,42 @@ impl Sensitivity {
             self.tangents[k].cause = Cause::Load { point, component };
             self.evaluate(frame, Some(k));
         }
+        self.ask_left_out(frame)?;
+        self.ask_by_force(frame)
+    }
+
+    /// Finds what changes do to the equations that are left out.
+    fn ask_left_out(&mut self, frame: &mut Frame<'_>) -> Result<(), Singular> {
+        self.left_out.clear();
+        for equation in self.values.left_out_by_unknown.rows() {
+            let mut response = vec![0.0; frame.size];
+            self.values.left_out_by_unknown.add_row(-1.0, equation, &mut response);
+            frame.linear.solve_transposed(&mut response)?;
+            self.left_out.push(LeftOut { equation, response });
+        }
+        Ok(())
+    }
+
+    /// Finds how the forces that hold drivers change with their values and with everything else.
+    fn ask_by_force(&mut self, frame: &mut Frame<'_>) -> Result<(), Singular> {
+        let by_force = std::mem::take(&mut self.question.by_force);
+        let count = by_force.len();
+        self.by_force = ByForce::default();
+        let mut slopes = vec![0.0; count * count];
+        let mut gradients = vec![];
+        for (row, &(_, equation)) in by_force.iter().enumerate() {
+            let multiplier = frame.multiplier(equation).ok_or(Singular)?;
+            let mut gradient = Gradient { unknowns: vec![0.0; frame.size], ..Gradient::default() };
+            gradient.unknowns[multiplier] = 1.0;
+            let by = self.adjoint(frame, &gradient)?;
+            for (column, &(driver, _)) in by_force.iter().enumerate() {
+                slopes[row * count + column] = along_driver(frame, driver, &by);
+            }
+            gradients.push(by);
+        }
+        self.question.by_force = by_force;
+        let inverse = inverse(&slopes, count)?;
+        self.by_force = ByForce { inverse, gradients };
         Ok(())
     }
 
@@ -301,11 +372,15 @@ impl Sensitivity {
         frame: &mut Frame<'_>,
         change: &Change,
     ) -> Result<Response, SensitivityError> {
+        self.check(frame, change)?;
+        let ways = self.ways(change);
+        let mut change = change.clone();
+        let drivers = self.question.by_force.iter().map(|&(driver, _)| driver);
+        frame.slots.add(drivers.zip(ways.iter().copied()), &mut change.h);
         let mut x = vec![0.0; frame.size];
         self.values.by_parameter.add_product(-1.0, &change.h, &mut x);
         self.values.by_constant.add_product(-1.0, &change.constants, &mut x);
         frame.linear.solve_refined(&mut x)?;
-        self.check_left_out(frame, &x, change)?;
         frame.along(&x, &change.h, &mut self.at);
         let state = std::mem::take(&mut self.at.state);
         let mut tangents = Vec::with_capacity(self.tangents.len());
@@ -340,6 +415,7 @@ impl Sensitivity {
             lambda: std::mem::take(&mut self.at.lambda),
             h: std::mem::take(&mut self.at.h),
             points: points.collect(),
+            ways: ways.into_iter().map(|way| Dual::new(0.0, way)).collect(),
             tangents,
         })
     }
@@ -353,6 +429,7 @@ impl Sensitivity {
             lambda: std::mem::take(&mut self.at.lambda),
             h: std::mem::take(&mut self.at.h),
             points: self.positions.iter().map(|p| p.map(Dual::from_f64)).collect(),
+            ways: vec![Dual::from_f64(0.0); self.question.by_force.len()],
             tangents: self.tangents.iter().map(|t| t.x.iter().map(still).collect()).collect(),
         }
     }
@@ -391,7 +468,27 @@ impl Sensitivity {
         frame.linear.solve_transposed(&mut state)?;
         self.values.by_parameter.add_transposed_product(-1.0, &state, &mut total.h);
         self.values.by_constant.add_transposed_product(-1.0, &state, &mut total.constants);
+        // What drivers do that go where they have the same forces again.
+        let ByForce { inverse, gradients } = &self.by_force;
+        let count = gradients.len();
+        let direct = gradient.ways.iter().chain(std::iter::repeat(&0.0));
+        let drivers = self.question.by_force.iter().zip(direct);
+        let by_ways: Vec<f64> =
+            drivers.map(|((driver, _), by)| by + along_driver(frame, *driver, &total)).collect();
+        for (column, gradient) in gradients.iter().enumerate() {
+            let by: f64 = (0..count).map(|k| by_ways[k] * inverse[k * count + column]).sum();
+            total.add(-by, gradient);
+        }
         Ok(total)
+    }
+
+    /// How far the drivers that forces hold go with a change.
+    fn ways(&self, change: &Change) -> Vec<f64> {
+        let ByForce { inverse, gradients } = &self.by_force;
+        let forces: Vec<f64> = gradients.iter().map(|gradient| gradient.dot(change)).collect();
+        let row = |k: usize| &inverse[k * forces.len()..][..forces.len()];
+        let way = |k: usize| -row(k).iter().zip(&forces).map(|(a, b)| a * b).sum::<f64>();
+        (0..forces.len()).map(way).collect()
     }
 
     /// Adds what a unit load changes by when its body and its point move.
@@ -424,21 +521,28 @@ impl Sensitivity {
     }
 
     /// Whether the equations that are left out go with a change.
-    fn check_left_out(
-        &self,
-        frame: &Frame<'_>,
-        x: &[f64],
-        change: &Change,
-    ) -> Result<(), SensitivityError> {
-        let mut product = vec![0.0; frame.equations];
-        let mut size = vec![0.0; frame.equations];
-        let Derivatives { left_out_by_unknown, left_out_by_parameter, .. } = &self.values;
-        left_out_by_unknown.add_product(1.0, x, &mut product);
-        left_out_by_parameter.add_product(1.0, &change.h, &mut product);
-        left_out_by_unknown.add_sizes(x, &mut size);
-        left_out_by_parameter.add_sizes(&change.h, &mut size);
-        let broken = (0..frame.equations).find(|&k| product[k].abs() > CONSISTENT * size[k]);
-        broken.map_or(Ok(()), |equation| Err(SensitivityError::Redundant { equation }))
+    ///
+    /// # Errors
+    /// [`SensitivityError::Redundant`] where one does not.
+    pub fn check(&self, frame: &Frame<'_>, change: &Change) -> Result<(), SensitivityError> {
+        if self.left_out.is_empty() {
+            return Ok(());
+        }
+        let mut kept = vec![0.0; frame.size];
+        self.values.by_parameter.add_product(1.0, &change.h, &mut kept);
+        self.values.by_constant.add_product(1.0, &change.constants, &mut kept);
+        let mut own = vec![0.0; frame.equations];
+        self.values.left_out_by_parameter.add_product(1.0, &change.h, &mut own);
+        for LeftOut { equation, response } in &self.left_out {
+            let terms = response.iter().zip(&kept).map(|(by, change)| by * change);
+            let terms = terms.chain([own[*equation]]);
+            let (sum, size) =
+                terms.fold((0.0, 0.0), |(sum, size): (f64, f64), x| (sum + x, size + x.abs()));
+            if sum.abs() > CONSISTENT * size {
+                return Err(SensitivityError::Redundant { equation: *equation });
+            }
+        }
+        Ok(())
     }
 }
 
@@ -457,6 +561,24 @@ pub enum SensitivityError {
         /// The equation.
         equation: usize,
     },
+}
+
+/// The derivative by the value of a driver, from those by parameters.
+fn along_driver(frame: &Frame<'_>, driver: DriverId, by: &Change) -> f64 {
+    frame.slots.of(driver).iter().map(|&(slot, factor)| factor * by.h[slot]).sum()
+}
+
+/// The inverse of a small square matrix, row by row.
+fn inverse(matrix: &[f64], order: usize) -> Result<Vec<f64>, Singular> {
+    use faer::linalg::solvers::DenseSolveCore as _;
+    if order == 0 {
+        return Ok(vec![]);
+    }
+    let matrix = faer::Mat::from_fn(order, order, |row, column| matrix[row * order + column]);
+    let inverse = matrix.full_piv_lu().inverse();
+    let entries = (0..order * order).map(|k| inverse[(k / order, k % order)]);
+    let entries: Vec<f64> = entries.collect();
+    if entries.iter().all(|entry| entry.is_finite()) { Ok(entries) } else { Err(Singular) }
 }
 
 /// A unit load at a place of a body that moves.

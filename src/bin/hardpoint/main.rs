@@ -16,6 +16,7 @@ mod output;
 mod progress;
 mod report;
 mod rig;
+mod sensitivity;
 mod settings;
 mod settle;
 mod steering;
@@ -60,6 +61,7 @@ enum Command {
     Import(import::Import),
     Report(report::Report),
     Rig(rig::Rig),
+    Sensitivity(sensitivity::Sensitivity),
     Settle(settle::Settle),
     Sweep(sweep::Sweep),
 }
@@ -76,6 +78,7 @@ fn main() -> ExitCode {
         Command::Import(command) => command.run(),
         Command::Report(command) => command.run(),
         Command::Rig(command) => command.run(),
+        Command::Sensitivity(command) => command.run(),
         Command::Settle(command) => command.run(),
         Command::Sweep(command) => command.run(),
     };

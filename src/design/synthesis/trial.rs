@@ -2,7 +2,8 @@
 
 use super::Obstacle;
 use crate::assembly::ElementConstant;
-use crate::design::parameter::{Parameter, Resolved};
+use crate::design::parameter::Parameter;
+use crate::design::resolve::Resolved;
 use crate::mechanism::{BodyId, PointId};
 use crate::model::Model;
 use crate::rig::{Moved, Pose, Shape, Target, Variable};
@@ -48,11 +49,12 @@ impl<V: Variable> Trial<V> {
     /// A specimen of a model with what may change of it. `compliance` says whether factors need how wheels give way
     /// to loads.
     pub fn new(specimen: V, model: &Model, parameters: &[Parameter], compliance: bool) -> Self {
-        let resolved: Vec<Resolved> = parameters.iter().map(|p| p.resolve(&specimen)).collect();
+        let resolved: Vec<Resolved> =
+            parameters.iter().map(|p| p.resolve(&specimen, model)).collect();
         let mut constants = vec![];
         for resolved in &resolved {
             if let Resolved::Constants(own) = resolved {
-                constants.extend(own);
+                constants.extend(own.iter().map(|(constant, _)| *constant));
             }
         }
         Self {
@@ -94,7 +96,8 @@ impl<V: Variable> Trial<V> {
             match resolved {
                 Resolved::Shape => parameter.place(&self.model, &mut shape, value),
                 Resolved::Constants(own) => {
-                    constants.extend(own.iter().map(|constant| (*constant, value)));
+                    constants
+                        .extend(own.iter().map(|&(constant, factor)| (constant, factor * value)));
                 }
                 Resolved::Parameters(slots) => {
                     lengths.extend(slots.iter().map(|&(slot, _)| (slot, value)));
