@@ -3,12 +3,14 @@
 //! The same program is solved with derivatives by central differences of corners that are built anew, as whoever
 //! has no derivatives does it.
 
+mod common;
+
 use std::fmt::Write as _;
 use std::hint::black_box;
 
-use criterion::{Criterion, criterion_group, criterion_main};
-use hardpoint::design::request::{Goal, Request};
-use hardpoint::design::sqp::{self, Evaluation, Failure, Settings, Statement, solve};
+use common::measure::{Way, compare, criterion};
+use hardpoint::design::request::{self, Goal, Request};
+use hardpoint::design::sqp::{self, Evaluation, Failure, Settings, Statement, Status, solve};
 use hardpoint::design::synthesis::{Verdict, synthesize};
 use hardpoint::factors::{Convention, find};
 use hardpoint::model::{Model, Setup};
@@ -100,40 +102,47 @@ impl sqp::Problem for Differences<'_> {
     }
 }
 
-fn recover(criterion: &mut Criterion) {
-    let (model, request) = problem();
-    let mut group = criterion.benchmark_group("synthesis");
-    group.sample_size(10);
-    let found = synthesize(&request, &model, &Setup::default()).expect("the model is fine");
+/// Both ways to the same design.
+fn ways<'a>(model: &'a Model, request: &'a Request) -> Vec<Way<'a>> {
+    let setup = Setup::default();
+    let found = synthesize(request, model, &setup).expect("the model is fine");
     assert_eq!((found.verdict, found.starts), (Verdict::Met, 1));
-    println!("exact: {} evaluations", found.evaluations);
-    group.bench_function("exact derivatives", |bencher| {
-        bencher.iter(|| synthesize(black_box(&request), &model, &Setup::default()));
-    });
-    let weight = |target: &hardpoint::design::request::Target| 1.0 / target.tolerance;
+    println!("exact derivatives: {} evaluations", found.evaluations);
+    let weight = |target: &request::Target| 1.0 / target.tolerance;
+    let variable = |variable: &request::Variable| {
+        let [lower, upper] = variable.bounds;
+        sqp::Variable { lower, upper, typical: 0.25 * (upper - lower) }
+    };
     let statement = Statement {
-        variables: request
-            .variables
-            .iter()
-            .map(|variable| sqp::Variable {
-                lower: variable.bounds[0],
-                upper: variable.bounds[1],
-                typical: 0.0125,
-            })
-            .collect(),
+        variables: request.variables.iter().map(variable).collect(),
         weights: request.targets.iter().flat_map(|target| vec![weight(target); 11]).collect(),
         constraints: vec![],
     };
     let start: Vec<f64> = request.variables.iter().map(|variable| variable.start).collect();
-    let mut differences = Differences { model: &model, request: &request };
+    let mut differences = Differences { model, request };
     let settings = Settings::default();
     let outcome = solve(&mut differences, &statement, &start, &settings).expect("it makes sense");
-    println!("differences: {} evaluations, {:?}", outcome.evaluations, outcome.status);
-    group.bench_function("differences of corners built anew", |bencher| {
-        bencher.iter(|| solve(&mut differences, &statement, black_box(&start), &settings));
-    });
-    group.finish();
+    assert!(matches!(outcome.status, Status::Converged(_)));
+    println!("differences: {} evaluations", outcome.evaluations);
+    vec![
+        (
+            "exact derivatives",
+            Box::new(move || {
+                black_box(synthesize(request, model, &setup).is_ok());
+            }),
+        ),
+        (
+            "differences of corners that are built anew",
+            Box::new(move || {
+                black_box(solve(&mut differences, &statement, &start, &settings).is_ok());
+            }),
+        ),
+    ]
 }
 
-criterion_group!(benches, recover);
-criterion_main!(benches);
+fn main() {
+    let mut criterion = criterion();
+    let (model, request) = problem();
+    compare(&mut criterion, "five points from five curves", ways(&model, &request));
+    criterion.final_summary();
+}
