@@ -30,12 +30,12 @@ const SEEDS: &[(&str, &[u8])] = &[
     ("torsion.adm", include_bytes!("fixtures/adams/torsion-expression.adm")),
     ("model.toml", include_bytes!("../models/sedan-axle.toml")),
     ("mechanism.toml", include_bytes!("../models/squeezer.toml")),
-    ("request.toml", include_bytes!("fixtures/requests/request.toml")),
+    ("request.toml", include_bytes!("fixtures/requests/complete.toml")),
 ];
 
 thread_local! {
     /// The model that requests are for.
-    static WISHBONE: Model = Model::load("models/double-wishbone.toml").expect("it is shipped");
+    static SEDAN: Model = Model::load("models/sedan-axle.toml").expect("it is shipped");
 }
 
 /// Pieces that break parsers.
@@ -121,8 +121,8 @@ fn no_bytes_break_an_importer() {
 fn accepted(name: &str, bytes: Vec<u8>) -> bool {
     let text = text_of(bytes);
     if name.starts_with("request") {
-        let model = WISHBONE.with(Clone::clone);
-        return match Request::parse("tests/fixtures/requests/request.toml", &text, &model) {
+        let model = SEDAN.with(Clone::clone);
+        return match Request::parse("tests/fixtures/requests/complete.toml", &text, &model) {
             Ok(_) => true,
             Err(error) => {
                 assert!(!error.render().is_empty());
