@@ -4,7 +4,7 @@
 //! With M the factorised matrix, x = (q, λ) and H = G_h, a change dh of parameters moves the state by
 //! x_d = −M⁻¹ H dh. A tangent x_k solves M x_k = b_k, so it changes by
 //! −M⁻¹ (M_d x_k − b_d), where M_d x_k is found on dual numbers along x_k: see
-//! [`Variation`](crate::assembly::Variation). Direct solutions go from one parameter to all results,
+//! [`Variation`]. Direct solutions go from one parameter to all results,
 //! adjoint ones from one result to all parameters.
 
 use super::border::Border;

@@ -100,16 +100,16 @@ impl Limits {
         for angle in &request.limits.angles {
             let (_, on) = trial.end((angle.link[0].0, angle.on));
             let link = angle.link.map(|end| trial.end(end));
-            let from = match &angle.from {
+            let from = match angle.from {
                 Reference::Between(points) => Reference::Between(
                     points.map(|point| trial.end((PointId(point), BodyId::GROUND)).0.index()),
                 ),
-                other => other.clone(),
+                other => other,
             };
             for state in &angle.states {
                 let state = Some(goals.state(*state));
                 let row = goals.constrain([angle.max.cos(), f64::INFINITY], 0.02 * angle.max.sin());
-                let limit = AngleLimit { link, on, from: from.clone(), ..angle.clone() };
+                let limit = AngleLimit { link, on, from, ..angle.clone() };
                 let kind = Kind::Angle { limit: Box::new(limit) };
                 limits.list.push(Limit { row, name: angle.name.clone(), state, kind });
             }

@@ -67,8 +67,7 @@ points = 6
 /// order says.
 #[test]
 fn spread_under_tolerances_falls_and_is_what_random_designs_have() {
-    let request = format!(
-        "format = 1
+    let request = "format = 1
 [[targets]]
 name = \"steer\"
 factor = \"bump_steer\"
@@ -94,9 +93,8 @@ samples = 2000
 points = [\"tierod_inner\", \"tierod_outer\"]
 coordinates = [\"y\", \"z\"]
 range = 20.0
-"
-    );
-    let found = seek(&request);
+";
+    let found = seek(request);
     let [spread] = found.spread[..] else { panic!("{:?}", found.spread) };
     assert!(spread.after < 0.999 * spread.before, "{spread:?}");
     let sampled = spread.sampled.unwrap();
