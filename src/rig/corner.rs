@@ -8,6 +8,7 @@ use super::compliance::Compliance;
 use super::hold::Hold;
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::Pose;
+use super::settled::Settled;
 use super::shape::Origins;
 use super::stand::Stand;
 use super::station::Station;
@@ -64,6 +65,7 @@ pub struct Corner {
     steering: Steering,
     adjustments: Vec<Adjustment>,
     origins: Origins,
+    settled: Option<Settled>,
 }
 
 impl Corner {
@@ -81,7 +83,7 @@ impl Corner {
     /// # Errors
     /// As for [`Self::new`].
     pub fn with_loads(model: &Model, setup: &Setup, at: LoadPoint) -> Result<Self, RigError> {
-        let set = adjust::corner(model, setup)?;
+        let (set, settled) = adjust::corner(model, setup)?.unzip();
         let home = set.as_ref().map(|set| set.home);
         let mut suspension = model.suspension(setup)?;
         let own_forces = suspension.mechanism.forces().len();
@@ -109,6 +111,7 @@ impl Corner {
             origins: Origins::of(stand.mechanism(), &[model], &[home]),
             station: Station::of_corner(&suspension, model, setup).on(&stand, home),
             load: Load::default(),
+            settled,
             suspension,
             stand,
             loads,
@@ -318,12 +321,21 @@ impl Variable for Corner {
         vec![self.suspension.adjusters[adjuster]]
     }
 
+    fn sides(&self) -> usize {
+        1
+    }
+
+    fn settled(&self) -> Option<&Settled> {
+        self.settled.as_ref()
+    }
+
     fn vary(
         &mut self,
         constants: &[ElementConstant],
         compliance: bool,
     ) -> Result<Varied<'_>, VaryError> {
-        let Self { station, stand, origins, .. } = self;
-        Varied::of(stand, std::slice::from_ref(station), origins, constants, compliance)
+        let Self { station, stand, origins, settled, .. } = self;
+        let stations = std::slice::from_ref(station);
+        Varied::of(stand, stations, origins, constants, compliance, settled.as_mut())
     }
 }
