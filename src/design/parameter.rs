@@ -4,9 +4,10 @@ use thiserror::Error;
 
 use super::laws::LawNumber;
 use super::request::{self, Stiffness};
+use crate::factors;
 use crate::mechanism::{Force, ForceKind, Law, LawConstant};
 use crate::model::suggest;
-use crate::model::{Model, Quantity, SpinAxis, Units};
+use crate::model::{Model, Quantity, SpinAxis, StaticState, StaticTarget, Units};
 use crate::rig::Shape;
 
 /// One number of a model.
@@ -36,8 +37,12 @@ pub(super) enum Kind {
     Law(LawNumber),
     /// The length from which a force element measures, which grows with the parameter or, for −1, shrinks.
     Length { force: String, factor: f64 },
-    /// The setting of an adjuster, by its place in the model.
+    /// The setting of an adjuster that sets no factor, by its place in the model.
     Adjuster { adjuster: usize },
+    /// What a factor has to be in the static state, by its name.
+    Target { factor: &'static str },
+    /// The ride height of the static state.
+    RideHeight,
 }
 
 /// No parameter has this name.
@@ -89,10 +94,31 @@ impl Parameter {
             let stiffness = Self::new(name.to_owned(), quantity, "+ stiffer", kind);
             all.push(stiffness.compared_by(0.01 * bar.stiffness));
         }
+        // Without a static state the model is as its hard points say, whatever could be adjusted.
+        if model.is_adjusted() {
+            all.extend(Self::of_static_state(model));
+        }
+        all
+    }
+
+    /// What the static state asks for, and the settings of adjusters that have no target.
+    fn of_static_state(model: &Model) -> Vec<Self> {
+        let StaticState { targets, .. } = model.static_state();
+        let new = |name: &str, quantity, sign, kind| {
+            Self::new(format!("static.{name}"), quantity, sign, kind)
+        };
+        let higher = "+ chassis higher above the wheels";
+        let mut all = vec![new("ride_height", Quantity::Length, higher, Kind::RideHeight)];
+        for &StaticTarget { factor, quantity, .. } in targets {
+            let sign = factors::find(factor).map_or("", |factor| factor.sign);
+            all.push(new(factor, quantity, sign, Kind::Target { factor }));
+        }
         for (index, adjuster) in model.adjusters().iter().enumerate() {
-            let name = format!("adjusters.{}", adjuster.name);
-            let kind = Kind::Adjuster { adjuster: index };
-            all.push(Self::new(name, Quantity::Length, "+ as the adjuster says", kind));
+            if targets.iter().all(|target| target.by != index) {
+                let name = format!("adjusters.{}", adjuster.name);
+                let kind = Kind::Adjuster { adjuster: index };
+                all.push(Self::new(name, Quantity::Length, "+ as the adjuster says", kind));
+            }
         }
         all
     }

@@ -2,31 +2,40 @@
 
 use super::parameter::{Kind, Parameter};
 use crate::assembly::ElementConstant;
-use crate::mechanism::{Mechanism, Owner};
+use crate::mechanism::{DriverId, Mechanism, Owner};
 use crate::model::Model;
-use crate::rig::{Shape, Variable, Varied};
+use crate::rig::{Cause, Settled, Shape, Stand, Variable, Varied};
 use crate::scalar::Dual;
-use crate::solve::sensitivity::Change;
+use crate::solve::sensitivity::{Change, SensitivityError};
 
-/// What a parameter is in a mechanism.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Resolved {
-    /// It moves points.
-    Shape,
-    /// It is added to constants of laws, times a factor each.
-    Constants(Vec<(ElementConstant, f64)>),
-    /// It is added to parameters of relations, times a factor each.
-    Parameters(Vec<(usize, f64)>),
+/// What a parameter is in a mechanism, and in that of its static state, where there is one.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Resolved {
+    /// Constants of laws that it is added to, times a factor each.
+    pub constants: Vec<(ElementConstant, f64)>,
+    /// Parameters of relations that it is added to, times a factor each.
+    pub parameters: Vec<(usize, f64)>,
+    settled_parameters: Vec<(usize, f64)>,
+    /// What the goals of the static state change by.
+    wanted: Vec<f64>,
+    /// What the travels of the wheels in the static state change by.
+    travels: Vec<f64>,
 }
 
 impl Parameter {
     /// What the parameter is in the mechanism of a specimen.
     pub(super) fn resolve(&self, specimen: &impl Variable, model: &Model) -> Resolved {
-        let mechanism = specimen.stand().mechanism();
-        let expansion = specimen.stand().system().expansion();
+        let stand = specimen.stand();
+        let settled = specimen.settled();
+        let mut resolved = Resolved::default();
+        let is_own = |wheel: usize| {
+            let alone = specimen.sides() == 1;
+            alone || !model.has_other_side() || wheel == model.side.index()
+        };
         match &self.kind {
-            Kind::Coordinate { .. } | Kind::Toe | Kind::Camber => Resolved::Shape,
+            Kind::Coordinate { .. } | Kind::Toe | Kind::Camber => {}
             Kind::Law(number) => {
+                let expansion = stand.system().expansion();
                 let value = |(owner, is_image): (Owner, bool)| {
                     let own = expansion.elements().iter().map(|element| &element.instance);
                     let own = own.filter(|instance| instance.owner == owner);
@@ -37,23 +46,53 @@ impl Parameter {
                     };
                     Some((ElementConstant { value, constant }, factor))
                 };
-                let owners = owners(mechanism, model, &number.force).into_iter();
-                Resolved::Constants(owners.filter_map(value).collect())
+                let owners = owners(stand.mechanism(), model, &number.force).into_iter();
+                resolved.constants = owners.filter_map(value).collect();
             }
             Kind::Length { force, factor } => {
-                let owners = owners(mechanism, model, force).into_iter();
-                let slots = owners.filter_map(|(owner, _)| expansion.length(owner));
-                Resolved::Parameters(slots.map(|slot| (slot, *factor)).collect())
+                let slots = |stand: &Stand| -> Vec<(usize, f64)> {
+                    let owners = owners(stand.mechanism(), model, force).into_iter();
+                    let expansion = stand.system().expansion();
+                    let slots = owners.filter_map(|(owner, _)| expansion.length(owner));
+                    slots.map(|slot| (slot, *factor)).collect()
+                };
+                resolved.parameters = slots(stand);
+                resolved.settled_parameters =
+                    settled.map_or_else(Vec::new, |settled| slots(settled.stand()));
             }
             Kind::Adjuster { adjuster } => {
-                let mut drivers = specimen.adjusters(*adjuster);
-                if drivers.len() > 1 && model.has_other_side() {
-                    drivers = vec![drivers[model.side.index()]];
-                }
-                let slots = drivers.iter().flat_map(|&d| expansion.driver_slots().of(d));
-                Resolved::Parameters(slots.copied().collect())
+                let drivers = specimen.adjusters(*adjuster).into_iter().enumerate();
+                let drivers = drivers.filter(|(wheel, _)| is_own(*wheel));
+                let drivers: Vec<DriverId> = drivers.map(|(_, driver)| driver).collect();
+                let name = |driver: &DriverId| &*stand.mechanism().drivers()[driver.index()].name;
+                let names: Vec<&str> = drivers.iter().map(name).collect();
+                let slots = |stand: &Stand| -> Vec<(usize, f64)> {
+                    let mechanism = stand.mechanism();
+                    let is_named = |driver: &DriverId| {
+                        names.contains(&&*mechanism.drivers()[driver.index()].name)
+                    };
+                    let slots = stand.system().expansion().driver_slots();
+                    let drivers = mechanism.driver_ids().filter(is_named);
+                    drivers.flat_map(|driver| slots.of(driver).to_vec()).collect()
+                };
+                resolved.parameters = slots(stand);
+                resolved.settled_parameters =
+                    settled.map_or_else(Vec::new, |settled| slots(settled.stand()));
+            }
+            Kind::Target { factor } => {
+                let wanted = |(wheel, name): (usize, &str)| {
+                    if name == *factor && is_own(wheel) { 1.0 } else { 0.0 }
+                };
+                let goals = settled.into_iter().flat_map(Settled::goals);
+                resolved.wanted = goals.map(wanted).collect();
+            }
+            Kind::RideHeight => {
+                // The wheels go up by as much as the chassis comes down.
+                let travel = |wheel: usize| if is_own(wheel) { -1.0 } else { 0.0 };
+                resolved.travels = (0..specimen.sides()).map(travel).collect();
             }
         }
+        resolved
     }
 
     /// The shape of a model that moves with this parameter.
@@ -94,33 +133,27 @@ fn owners(mechanism: &Mechanism, model: &Model, force: &str) -> Vec<(Owner, bool
 impl Resolved {
     /// What changes in a state when the parameter does, per unit (SI). `constants` are those that the state was
     /// asked about.
+    ///
+    /// # Errors
+    /// [`SensitivityError`] where the static state does not go with it.
     pub fn change(
         &self,
         parameter: &Parameter,
         model: &Model,
-        varied: &Varied<'_>,
+        varied: &mut Varied<'_>,
         constants: &[ElementConstant],
-    ) -> Change {
-        match self {
-            Self::Shape => {
-                let shape = parameter.moving(model);
-                varied.change(&varied.both_sides(model, shape))
-            }
-            Self::Constants(own) => {
-                let mut change = varied.no_change();
-                for (amount, constant) in change.constants.iter_mut().zip(constants) {
-                    let own = own.iter().find(|(own, _)| own == constant);
-                    *amount = own.map_or(0.0, |(_, factor)| *factor);
-                }
-                change
-            }
-            Self::Parameters(slots) => {
-                let mut change = varied.no_change();
-                for &(slot, factor) in slots {
-                    change.h[slot] += factor;
-                }
-                change
-            }
-        }
+    ) -> Result<Change, SensitivityError> {
+        let amount = |constant: &ElementConstant| {
+            let own = self.constants.iter().find(|(own, _)| own == constant);
+            own.map_or(0.0, |(_, factor)| *factor)
+        };
+        varied.change_by(&Cause {
+            shapes: varied.both_sides(model, parameter.moving(model)),
+            constants: constants.iter().map(amount).collect(),
+            parameters: self.parameters.clone(),
+            settled_parameters: self.settled_parameters.clone(),
+            wanted: self.wanted.clone(),
+            travels: self.travels.clone(),
+        })
     }
 }

@@ -74,22 +74,20 @@ pub fn sensitivities(
     let resolved: Vec<Resolved> = parameters.iter().map(|p| p.resolve(specimen, model)).collect();
     let mut constants: Vec<ElementConstant> = vec![];
     for resolved in &resolved {
-        if let Resolved::Constants(own) = resolved {
-            constants.extend(own.iter().map(|(constant, _)| constant));
-        }
+        constants.extend(resolved.constants.iter().map(|(constant, _)| constant));
     }
     let mut rows = rows(&poses, factors, convention);
     let lacking = factors.iter().filter_map(|factor| Some((factor.name, lacking(factor, &poses)?)));
     let lacking = lacking.collect();
-    let labels = specimen.stand().system().expansion().clone();
     let mut varied = specimen.vary(&constants, compliance)?;
-    let changes: Vec<Change> = parameters
+    let changes: Vec<Result<Change, SensitivityError>> = parameters
         .iter()
         .zip(&resolved)
-        .map(|(parameter, resolved)| resolved.change(parameter, model, &varied, &constants))
+        .map(|(parameter, resolved)| resolved.change(parameter, model, &mut varied, &constants))
         .collect();
     let adjoint = match way {
-        Way::Automatic => rows.len() < parameters.len(),
+        // What an adjoint needs of the formulas costs half as much as a direct solution; see benches/README.md.
+        Way::Automatic => 3 * rows.len() < 2 * parameters.len(),
         Way::Direct => false,
         Way::Adjoint => true,
     };
@@ -105,23 +103,23 @@ pub fn sensitivities(
         }
         false => vec![],
     };
-    for (parameter, change) in parameters.iter().zip(&changes) {
-        let found = match adjoint {
-            true => varied
-                .check(change)
-                .map(|()| gradients.iter().map(|gradient| Some(gradient.dot(change))).collect()),
-            false => varied.poses(change).map(|poses| -> Vec<Option<f64>> {
-                let by = |row: &Row| Some(row.dual(convention, &poses)?.derivative);
-                rows.iter().map(by).collect()
-            }),
-        };
+    for (parameter, change) in parameters.iter().zip(changes) {
+        let found = change.and_then(|change| -> Result<Vec<Option<f64>>, SensitivityError> {
+            if adjoint {
+                varied.check(&change)?;
+                return Ok(gradients.iter().map(|gradient| Some(gradient.dot(&change))).collect());
+            }
+            let poses = varied.poses(&change)?;
+            let by = |row: &Row| Some(row.dual(convention, &poses)?.derivative);
+            Ok(rows.iter().map(by).collect())
+        });
         let found = found.unwrap_or_else(|error| {
             let reason = match error {
                 SensitivityError::Singular(error) => error.to_string(),
                 SensitivityError::Redundant { equation } => format!(
                     "the joints would no longer fit together: {} is redundant, and holds only as long as \
                      the points keep their proportions",
-                    labels.label(equation)
+                    varied.label(equation)
                 ),
             };
             refused.push((parameter.name.clone(), reason));

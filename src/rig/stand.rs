@@ -9,7 +9,7 @@ use super::pose::Pose;
 use super::rates::Rates;
 use super::sweep::Specimen;
 use super::target::Target;
-use super::varied::VaryError;
+use super::variable::VaryError;
 use super::view::View;
 use crate::mechanism::{Body, DriverId, Expansion, Mechanism};
 use crate::model::Axes;

@@ -7,6 +7,13 @@
 //! [`Variation`]. Direct solutions go from one parameter to all results,
 //! adjoint ones from one result to all parameters.
 
+mod conditions;
+mod loads;
+
+pub(crate) use conditions::inverse;
+
+use self::conditions::{ByForce, LeftOut, along_driver};
+use self::loads::moved_load;
 use super::border::Border;
 use super::compliance::{WRENCH, coordinates_of, unit_load};
 use super::linear::{LinearSolver, Singular};
@@ -16,7 +23,7 @@ use crate::assembly::{
 use crate::mechanism::{BodyId, DriverId, DriverSlots, Expansion, PointId};
 use crate::relation::{BODY_COORDINATES, Coordinates};
 use crate::scalar::{Dual, Scalar as _};
-use crate::vector::{Vector, add, rotate, sub};
+use crate::vector::{Vector, add, rotate};
 
 /// A state with its factorised matrix.
 pub struct Frame<'a> {
@@ -49,6 +56,8 @@ pub struct Question {
     pub by_force: Vec<(DriverId, usize)>,
     /// The constants of laws that are varied.
     pub constants: Vec<ElementConstant>,
+    /// How many numbers there are that the solver does not know, but results depend on.
+    pub others: usize,
 }
 
 /// A change of what a state depends on.
@@ -60,13 +69,15 @@ pub struct Change {
     pub constants: Vec<f64>,
     /// Of the design positions of points (m).
     pub points: Vec<Vector<f64>>,
+    /// Of numbers that the solver does not know, but results depend on.
+    pub others: Vec<f64>,
 }
 
 impl Change {
     /// The same, so many times as much.
     #[must_use]
     pub fn times(mut self, factor: f64) -> Self {
-        let numbers = self.h.iter_mut().chain(&mut self.constants);
+        let numbers = self.h.iter_mut().chain(&mut self.constants).chain(&mut self.others);
         numbers.chain(self.points.as_flattened_mut()).for_each(|number| *number *= factor);
         self
     }
@@ -79,13 +90,15 @@ impl Change {
         add(&mut self.h, &other.h);
         add(&mut self.constants, &other.constants);
         add(self.points.as_flattened_mut(), other.points.as_flattened());
+        add(&mut self.others, &other.others);
     }
 
     /// The sum of the products of all entries.
     pub fn dot(&self, other: &Self) -> f64 {
         let sum = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
         let points = sum(self.points.as_flattened(), other.points.as_flattened());
-        sum(&self.h, &other.h) + sum(&self.constants, &other.constants) + points
+        let others = sum(&self.others, &other.others);
+        sum(&self.h, &other.h) + sum(&self.constants, &other.constants) + points + others
     }
 }
 
@@ -102,6 +115,8 @@ pub struct Response {
     pub points: Vec<Vector<Dual>>,
     /// How far (m or rad) the drivers that forces hold go; the values are zero.
     pub ways: Vec<Dual>,
+    /// The numbers that the solver does not know; the values are zero.
+    pub others: Vec<Dual>,
     /// The tangents by the drivers of the question, then those by unit loads: coordinates, then multipliers of
     /// kept equations.
     pub tangents: Vec<Vec<Dual>>,
@@ -135,21 +150,6 @@ pub struct Sensitivity {
     at: Dualised,
     by_force: ByForce,
     left_out: Vec<LeftOut>,
-}
-
-/// Drivers that go where they have the same forces again.
-#[derive(Default)]
-struct ByForce {
-    /// The inverse of the derivatives of their multipliers (rows) by their values (columns), row by row.
-    inverse: Vec<f64>,
-    /// The derivatives of their multipliers by everything, all drivers held at their values.
-    gradients: Vec<Change>,
-}
-
-/// An equation that is left out, with what a change of the kept ones does to it: −Φ_q M⁻¹.
-struct LeftOut {
-    equation: usize,
-    response: Vec<f64>,
 }
 
 #[derive(Default)]
@@ -292,47 +292,6 @@ impl Sensitivity {
         self.ask_by_force(frame)
     }
 
-    /// Finds what changes do to the equations that are left out.
-    fn ask_left_out(&mut self, frame: &mut Frame<'_>) -> Result<(), Singular> {
-        self.left_out.clear();
-        for equation in self.values.left_out_by_unknown.rows() {
-            let mut response = vec![0.0; frame.size];
-            self.values.left_out_by_unknown.add_row(-1.0, equation, &mut response);
-            frame.linear.solve_transposed(&mut response)?;
-            self.left_out.push(LeftOut { equation, response });
-        }
-        Ok(())
-    }
-
-    /// Finds how the forces that hold drivers change with their values and with everything else.
-    fn ask_by_force(&mut self, frame: &mut Frame<'_>) -> Result<(), Singular> {
-        let by_force = std::mem::take(&mut self.question.by_force);
-        let count = by_force.len();
-        self.by_force = ByForce::default();
-        let mut slopes = vec![0.0; count * count];
-        let mut gradients = vec![];
-        for (row, &(_, equation)) in by_force.iter().enumerate() {
-            let multiplier = frame.multiplier(equation).ok_or(Singular)?;
-            let mut gradient = Gradient { unknowns: vec![0.0; frame.size], ..Gradient::default() };
-            gradient.unknowns[multiplier] = 1.0;
-            let by = self.adjoint(frame, &gradient)?;
-            for (column, &(driver, _)) in by_force.iter().enumerate() {
-                slopes[row * count + column] = along_driver(frame, driver, &by);
-            }
-            gradients.push(by);
-        }
-        self.question.by_force = by_force;
-        let inverse = inverse(&slopes, count)?;
-        self.by_force = ByForce { inverse, gradients };
-        Ok(())
-    }
-
-    /// The body of a loaded point, and the place of the point on it.
-    fn loaded_point(&self, point: usize) -> (BodyId, Vector<f64>) {
-        let (body, point) = self.question.points[point];
-        (body, sub(self.positions[point.index()], self.origins[body.index()]))
-    }
-
     /// The derivatives of the equations, and their changes along a tangent.
     fn evaluate(&mut self, frame: &Frame<'_>, tangent: Option<usize>) {
         let Self { variation, question, values, unused, tangents, at, .. } = self;
@@ -416,6 +375,7 @@ impl Sensitivity {
             h: std::mem::take(&mut self.at.h),
             points: points.collect(),
             ways: ways.into_iter().map(|way| Dual::new(0.0, way)).collect(),
+            others: change.others.iter().map(|&other| Dual::new(0.0, other)).collect(),
             tangents,
         })
     }
@@ -430,6 +390,7 @@ impl Sensitivity {
             h: std::mem::take(&mut self.at.h),
             points: self.positions.iter().map(|p| p.map(Dual::from_f64)).collect(),
             ways: vec![Dual::from_f64(0.0); self.question.by_force.len()],
+            others: vec![Dual::from_f64(0.0); self.question.others],
             tangents: self.tangents.iter().map(|t| t.x.iter().map(still).collect()).collect(),
         }
     }
@@ -448,6 +409,7 @@ impl Sensitivity {
         total.h.resize(frame.h.len(), 0.0);
         total.constants.resize(self.question.constants.len(), 0.0);
         total.points.resize(self.positions.len(), [0.0; 3]);
+        total.others.resize(self.question.others, 0.0);
         let mut state = gradient.unknowns.clone();
         state.resize(frame.size, 0.0);
         for (tangent, by) in self.tangents.iter().zip(&gradient.tangents) {
@@ -481,73 +443,7 @@ impl Sensitivity {
         }
         Ok(total)
     }
-
-    /// How far the drivers that forces hold go with a change.
-    fn ways(&self, change: &Change) -> Vec<f64> {
-        let ByForce { inverse, gradients } = &self.by_force;
-        let forces: Vec<f64> = gradients.iter().map(|gradient| gradient.dot(change)).collect();
-        let row = |k: usize| &inverse[k * forces.len()..][..forces.len()];
-        let way = |k: usize| -row(k).iter().zip(&forces).map(|(a, b)| a * b).sum::<f64>();
-        (0..forces.len()).map(way).collect()
-    }
-
-    /// Adds what a unit load changes by when its body and its point move.
-    fn add_load_gradient(
-        &self,
-        frame: &Frame<'_>,
-        y: &[f64],
-        (point, component): (usize, usize),
-        state: &mut [f64],
-        total: &mut Change,
-    ) {
-        let (body, at) = self.loaded_point(point);
-        let (_, index) = self.question.points[point];
-        let first = coordinates_of(body);
-        let work = |q: &Coordinates<Dual>, at: Vector<Dual>| -> f64 {
-            let force = moved_load(q, at, component);
-            force.iter().zip(&y[first..]).map(|(force, y)| force.derivative * y).sum()
-        };
-        let still = frame.state[body.index()].map(Dual::from_f64);
-        for k in 0..BODY_COORDINATES {
-            let mut q = still;
-            q[k].derivative = 1.0;
-            state[first + k] += work(&q, at.map(Dual::from_f64));
-        }
-        for k in 0..3 {
-            let mut at = at.map(Dual::from_f64);
-            at[k].derivative = 1.0;
-            total.points[index.index()][k] += work(&still, at);
-        }
-    }
-
-    /// Whether the equations that are left out go with a change.
-    ///
-    /// # Errors
-    /// [`SensitivityError::Redundant`] where one does not.
-    pub fn check(&self, frame: &Frame<'_>, change: &Change) -> Result<(), SensitivityError> {
-        if self.left_out.is_empty() {
-            return Ok(());
-        }
-        let mut kept = vec![0.0; frame.size];
-        self.values.by_parameter.add_product(1.0, &change.h, &mut kept);
-        self.values.by_constant.add_product(1.0, &change.constants, &mut kept);
-        let mut own = vec![0.0; frame.equations];
-        self.values.left_out_by_parameter.add_product(1.0, &change.h, &mut own);
-        for LeftOut { equation, response } in &self.left_out {
-            let terms = response.iter().zip(&kept).map(|(by, change)| by * change);
-            let terms = terms.chain([own[*equation]]);
-            let (sum, size) =
-                terms.fold((0.0, 0.0), |(sum, size): (f64, f64), x| (sum + x, size + x.abs()));
-            if sum.abs() > CONSISTENT * size {
-                return Err(SensitivityError::Redundant { equation: *equation });
-            }
-        }
-        Ok(())
-    }
 }
-
-/// The part of its terms that the change of a left-out equation may have.
-const CONSISTENT: f64 = 1e-7;
 
 /// Why there is no sensitivity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -561,28 +457,4 @@ pub enum SensitivityError {
         /// The equation.
         equation: usize,
     },
-}
-
-/// The derivative by the value of a driver, from those by parameters.
-fn along_driver(frame: &Frame<'_>, driver: DriverId, by: &Change) -> f64 {
-    frame.slots.of(driver).iter().map(|&(slot, factor)| factor * by.h[slot]).sum()
-}
-
-/// The inverse of a small square matrix, row by row.
-fn inverse(matrix: &[f64], order: usize) -> Result<Vec<f64>, Singular> {
-    use faer::linalg::solvers::DenseSolveCore as _;
-    if order == 0 {
-        return Ok(vec![]);
-    }
-    let matrix = faer::Mat::from_fn(order, order, |row, column| matrix[row * order + column]);
-    let inverse = matrix.full_piv_lu().inverse();
-    let entries = (0..order * order).map(|k| inverse[(k / order, k % order)]);
-    let entries: Vec<f64> = entries.collect();
-    if entries.iter().all(|entry| entry.is_finite()) { Ok(entries) } else { Err(Singular) }
-}
-
-/// A unit load at a place of a body that moves.
-fn moved_load(q: &Coordinates<Dual>, at: Vector<Dual>, component: usize) -> Coordinates<Dual> {
-    let place = add([q[0], q[1], q[2]], rotate([q[3], q[4], q[5], q[6]], at));
-    unit_load(q, place, component)
 }

@@ -14,6 +14,8 @@ pub struct Case {
     pub axle: bool,
     pub setup: Setup,
     pub target: Target,
+    /// What the names of the parameters begin with.
+    pub names: Vec<&'static str>,
 }
 
 impl Case {
@@ -22,7 +24,8 @@ impl Case {
         let path = format!("{}/models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
         let text = std::fs::read_to_string(path).unwrap();
         let axle = false;
-        Self { text, axle, setup: Setup::default(), target: Target::default() }
+        let (setup, target, names) = (Setup::default(), Target::default(), vec![""]);
+        Self { text, axle, setup, target, names }
     }
 
     /// Both sides of it.
@@ -56,6 +59,12 @@ impl Case {
         self
     }
 
+    /// By the parameters whose names begin like this.
+    pub fn by(mut self, names: &[&'static str]) -> Self {
+        self.names = names.to_vec();
+        self
+    }
+
     pub fn with_target(mut self, change: impl FnOnce(&mut Target)) -> Self {
         change(&mut self.target);
         self
@@ -71,7 +80,8 @@ impl Case {
     }
 
     pub fn parameters(&self) -> Vec<Parameter> {
-        Parameter::all(&self.model(), self.axle, self.setup.kinematic)
+        let all = Parameter::all(&self.model(), self.axle, self.setup.kinematic).into_iter();
+        all.filter(|p| self.names.iter().any(|name| p.name.starts_with(name))).collect()
     }
 
     /// The words of a name, if the file has a number that the name means.
@@ -338,10 +348,10 @@ fn compare_ways(
 
 /// Derivatives from differences, each with the step that has the smallest error by its own estimate.
 ///
-/// Steps get shorter until that is small beside the value, or beside the size that counts.
+/// Other steps are tried until that is small beside the value, or beside the size that counts.
 fn differences(values: impl Fn(f64) -> Vec<f64>, step: f64, sizes: &[f64]) -> Vec<f64> {
     let mut best = richardson(&values, step);
-    for part in [1.0 / 6.0, 1.0 / 36.0] {
+    for part in [4.0, 1.0 / 6.0, 1.0 / 36.0] {
         let exact = |((value, error), size): (&(f64, f64), &f64)| {
             value.is_nan() || *error <= 1e-7 * value.abs().max(*size)
         };
