@@ -9,7 +9,7 @@ use std::path::Path;
 use assert_cmd::Command;
 use program::{hardpoint, stdout};
 
-const COMMANDS: [&str; 10] = [
+const COMMANDS: [&str; 11] = [
     "check",
     "compliance",
     "equilibrium",
@@ -18,6 +18,7 @@ const COMMANDS: [&str; 10] = [
     "import",
     "report",
     "rig",
+    "sensitivity",
     "settle",
     "sweep",
 ];

@@ -1,4 +1,4 @@
-//! No bytes make an importer or the parser of models panic, hang or eat the memory.
+//! No bytes make an importer or the parsers of models and requests panic, hang or eat the memory.
 //!
 //! `HARDPOINT_FUZZ=1000000 cargo test --release --test import_robustness` runs a million.
 #![allow(missing_docs)]
@@ -6,8 +6,9 @@
 use std::time::{Duration, Instant};
 
 use fastrand::Rng;
+use hardpoint::design::request::Request;
 use hardpoint::import::{self, text_of};
-use hardpoint::model::Document;
+use hardpoint::model::{Document, Model};
 
 /// Files that are right, from which wrong ones are made.
 const SEEDS: &[(&str, &[u8])] = &[
@@ -29,7 +30,13 @@ const SEEDS: &[(&str, &[u8])] = &[
     ("torsion.adm", include_bytes!("fixtures/adams/torsion-expression.adm")),
     ("model.toml", include_bytes!("../models/sedan-axle.toml")),
     ("mechanism.toml", include_bytes!("../models/squeezer.toml")),
+    ("request.toml", include_bytes!("fixtures/requests/complete.toml")),
 ];
+
+thread_local! {
+    /// The model that requests are for.
+    static SEDAN: Model = Model::load("models/sedan-axle.toml").expect("it is shipped");
+}
 
 /// Pieces that break parsers.
 const PIECES: &[&str] = &[
@@ -113,6 +120,16 @@ fn no_bytes_break_an_importer() {
 /// Reads a file as a user would, with all messages.
 fn accepted(name: &str, bytes: Vec<u8>) -> bool {
     let text = text_of(bytes);
+    if name.starts_with("request") {
+        let model = SEDAN.with(Clone::clone);
+        return match Request::parse("tests/fixtures/requests/complete.toml", &text, &model) {
+            Ok(_) => true,
+            Err(error) => {
+                assert!(!error.render().is_empty());
+                false
+            }
+        };
+    }
     if name.ends_with(".toml") {
         return match Document::parse(name, &text) {
             Ok(_) => true,

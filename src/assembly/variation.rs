@@ -18,6 +18,21 @@ pub struct Entries {
 }
 
 impl Entries {
+    /// Adds `factor` times a row to a vector.
+    pub fn add_row(&self, factor: f64, row: usize, out: &mut [f64]) {
+        for &(_, column, value) in self.list.iter().filter(|entry| entry.0 == row) {
+            out[column] += factor * value;
+        }
+    }
+
+    /// The rows that have entries, each once, from the first on.
+    pub fn rows(&self) -> Vec<usize> {
+        let mut rows: Vec<usize> = self.list.iter().map(|&(row, ..)| row).collect();
+        rows.sort_unstable();
+        rows.dedup();
+        rows
+    }
+
     fn push(&mut self, row: usize, column: usize, value: f64) {
         if value != 0.0 {
             self.list.push((row, column, value));
@@ -28,13 +43,6 @@ impl Entries {
     pub fn add_product(&self, factor: f64, x: &[f64], out: &mut [f64]) {
         for &(row, column, value) in &self.list {
             out[row] += factor * value * x[column];
-        }
-    }
-
-    /// Adds the sizes of the terms of the product with a vector.
-    pub fn add_sizes(&self, x: &[f64], out: &mut [f64]) {
-        for &(row, column, value) in &self.list {
-            out[row] += (value * x[column]).abs();
         }
     }
 

@@ -2,11 +2,15 @@
 
 pub mod clearance;
 pub mod edit;
+pub mod event;
+mod laws;
 pub mod parameter;
 pub mod request;
+mod resolve;
 pub mod sensitivity;
 pub mod sqp;
 pub mod synthesis;
 
+pub use event::{EventSensitivities, StateSensitivities, along};
 pub use parameter::{Parameter, UnknownParameter};
-pub use sensitivity::{Sensitivities, SensitivityFailure, Way, sensitivities};
+pub use sensitivity::{Sensitivities, Sensitivity, SensitivityFailure, Way, sensitivities};

@@ -2,16 +2,13 @@
 
 use thiserror::Error;
 
+use super::laws::LawNumber;
 use super::request::{self, Stiffness};
-use crate::assembly::ElementConstant;
-use crate::mechanism::{
-    Acts, Curve, Force, ForceKind, Law, LawConstant, Mechanism, Owner, Reference,
-};
+use crate::factors;
+use crate::mechanism::{Force, ForceKind, Law, LawConstant};
 use crate::model::suggest;
-use crate::model::{Model, Quantity, SpinAxis, Units};
-use crate::rig::{Shape, Variable, Varied};
-use crate::scalar::Dual;
-use crate::solve::sensitivity::Change;
+use crate::model::{Model, Quantity, SpinAxis, StaticState, StaticTarget, Units};
+use crate::rig::Shape;
 
 /// One number of a model.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,23 +19,30 @@ pub struct Parameter {
     pub quantity: Quantity,
     /// What a positive change means.
     pub sign: &'static str,
-    kind: Kind,
+    /// A small change (SI) by which parameters of different kinds are compared: 1 mm, 0.1°, 10 N, 1 N·m, a
+    /// hundredth of a stiffness.
+    pub step: f64,
+    pub(super) kind: Kind,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Kind {
+pub(super) enum Kind {
     /// A coordinate of a hard point, by its place in the model, along an axis of the model.
     Coordinate { point: usize, axis: usize },
     /// Static toe.
     Toe,
     /// Static camber.
     Camber,
-    /// A constant of a law of a force element; `part` is the number of the law among those of the element.
-    Law { force: String, part: usize, constant: LawConstant },
-    /// The length from which a force element measures.
-    Length { force: String },
-    /// The setting of an adjuster, by its place in the model.
+    /// A number of a law of a force element.
+    Law(LawNumber),
+    /// The length from which a force element measures, which grows with the parameter or, for −1, shrinks.
+    Length { force: String, factor: f64 },
+    /// The setting of an adjuster that sets no factor, by its place in the model.
     Adjuster { adjuster: usize },
+    /// What a factor has to be in the static state, by its name.
+    Target { factor: &'static str },
+    /// The ride height of the static state.
+    RideHeight,
 }
 
 /// No parameter has this name.
@@ -54,7 +58,7 @@ pub struct UnknownParameter {
     pub suggestion: Option<String>,
 }
 
-const AXES: [&str; 3] = ["x", "y", "z"];
+pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 const ALONG: [&str; 3] =
     ["+ along the model's +x", "+ along the model's +y", "+ along the model's +z"];
 
@@ -64,64 +68,92 @@ impl Parameter {
     pub fn all(model: &Model, axle: bool, kinematic: bool) -> Vec<Self> {
         let mut all = Self::coordinates(model);
         if let SpinAxis::Alignment(_) = model.spin {
-            let angle = |name: &str, sign, kind| Self {
-                name: format!("wheel.{name}"),
-                quantity: Quantity::Angle,
-                sign,
-                kind,
+            let angle = |name: &str, sign, kind| {
+                Self::new(format!("wheel.{name}"), Quantity::Angle, sign, kind)
             };
             all.push(angle("toe", "+ toe-in", Kind::Toe));
             all.push(angle("camber", "+ top outboard", Kind::Camber));
         }
         for force in model.forces() {
-            all.extend(Self::of_force(force));
+            all.extend(Self::of_force("forces", force));
+        }
+        if axle {
+            for force in model.axle_forces() {
+                all.extend(Self::of_force("axle_forces", force));
+            }
         }
         if !kinematic {
             for bushing in model.bushings() {
-                all.extend(Self::of_bushing("bushings", &bushing.force));
+                all.extend(Self::of_force(bushing.section(), &bushing.force));
             }
         }
-        if axle && model.anti_roll_bar().is_some_and(|bar| bar.stiffness > 0.0) {
-            all.push(Self {
-                name: "anti_roll_bar.stiffness".to_owned(),
-                quantity: Quantity::RotationalStiffness,
-                sign: "+ stiffer",
-                kind: Kind::Law {
-                    force: "anti_roll_bar".to_owned(),
-                    part: 0,
-                    constant: LawConstant::Stiffness,
-                },
-            });
+        let bar = model.anti_roll_bar().filter(|bar| axle && bar.stiffness > 0.0);
+        if let Some(bar) = bar {
+            let (name, quantity) = ("anti_roll_bar.stiffness", Quantity::RotationalStiffness);
+            let kind = Kind::Law(LawNumber::plain("anti_roll_bar", LawConstant::Stiffness));
+            let stiffness = Self::new(name.to_owned(), quantity, "+ stiffer", kind);
+            all.push(stiffness.compared_by(0.01 * bar.stiffness));
         }
-        for (index, adjuster) in model.adjusters().iter().enumerate() {
-            all.push(Self {
-                name: format!("adjusters.{}", adjuster.name),
-                quantity: Quantity::Length,
-                sign: "+ as the adjuster says",
-                kind: Kind::Adjuster { adjuster: index },
-            });
+        // Without a static state the model is as its hard points say, whatever could be adjusted.
+        if model.is_adjusted() {
+            all.extend(Self::of_static_state(model));
         }
         all
+    }
+
+    /// What the static state asks for, and the settings of adjusters that have no target.
+    fn of_static_state(model: &Model) -> Vec<Self> {
+        let StaticState { targets, .. } = model.static_state();
+        let new = |name: &str, quantity, sign, kind| {
+            Self::new(format!("static.{name}"), quantity, sign, kind)
+        };
+        let higher = "+ chassis higher above the wheels";
+        let mut all = vec![new("ride_height", Quantity::Length, higher, Kind::RideHeight)];
+        for &StaticTarget { factor, quantity, .. } in targets {
+            let sign = factors::find(factor).map_or("", |factor| factor.sign);
+            all.push(new(factor, quantity, sign, Kind::Target { factor }));
+        }
+        for (index, adjuster) in model.adjusters().iter().enumerate() {
+            if targets.iter().all(|target| target.by != index) {
+                let name = format!("adjusters.{}", adjuster.name);
+                let kind = Kind::Adjuster { adjuster: index };
+                all.push(Self::new(name, Quantity::Length, "+ as the adjuster says", kind));
+            }
+        }
+        all
+    }
+
+    pub(super) fn new(name: String, quantity: Quantity, sign: &'static str, kind: Kind) -> Self {
+        let step = match quantity {
+            Quantity::Length => 1e-3,
+            Quantity::Angle => 0.1_f64.to_radians(),
+            Quantity::Force => 10.0,
+            Quantity::Torque => 1.0,
+            _ => 0.01,
+        };
+        Self { name, quantity, sign, step, kind }
+    }
+
+    /// The same, compared by another change (SI).
+    pub(super) fn compared_by(self, step: f64) -> Self {
+        Self { step, ..self }
     }
 
     /// The coordinates of all hard points.
     pub fn coordinates(model: &Model) -> Vec<Self> {
         let coordinates = |point: usize| (0..3).map(move |axis| (point, axis));
-        let parameter = |(point, axis): (usize, usize)| Self {
-            name: format!("{}.{}", model.points()[point].name, AXES[axis]),
-            quantity: Quantity::Length,
-            sign: ALONG[axis],
-            kind: Kind::Coordinate { point, axis },
+        let parameter = |(point, axis): (usize, usize)| {
+            let name = format!("{}.{}", model.points()[point].name, AXES[axis]);
+            let kind = Kind::Coordinate { point, axis };
+            Self::new(name, Quantity::Length, ALONG[axis], kind)
         };
         (0..model.points().len()).flat_map(coordinates).map(parameter).collect()
     }
 
     /// What a request calls a parameter.
     pub(super) fn wanted(parameter: request::Parameter, name: &str, model: &Model) -> Self {
-        let law = |force: &Force, part: usize| Kind::Law {
-            force: force.name.clone(),
-            part,
-            constant: LawConstant::Stiffness,
+        let law = |force: &Force, part: usize| {
+            Kind::Law(LawNumber { part, ..LawNumber::plain(&force.name, LawConstant::Stiffness) })
         };
         // A bushing has no laws of a kind that are all zero.
         let component = |force: &Force, component: usize| match &force.kind {
@@ -135,7 +167,7 @@ impl Parameter {
             request::Parameter::Toe => Kind::Toe,
             request::Parameter::Camber => Kind::Camber,
             request::Parameter::FreeLength { force } => {
-                Kind::Length { force: model.forces()[force].name.clone() }
+                Kind::Length { force: model.forces()[force].name.clone(), factor: 1.0 }
             }
             request::Parameter::Stiffness(stiffness) => match stiffness {
                 Stiffness::Force { force } => law(&model.forces()[force], 0),
@@ -145,15 +177,12 @@ impl Parameter {
                 Stiffness::Bushing { bushing, component: part } => {
                     component(&model.bushings()[bushing].force, part)
                 }
-                Stiffness::AntiRollBar => Kind::Law {
-                    force: "anti_roll_bar".to_owned(),
-                    part: 0,
-                    constant: LawConstant::Stiffness,
-                },
+                Stiffness::AntiRollBar => {
+                    Kind::Law(LawNumber::plain("anti_roll_bar", LawConstant::Stiffness))
+                }
             },
         };
-        let quantity = parameter.quantity(model);
-        Self { name: name.to_owned(), quantity, sign: "", kind }
+        Self::new(name.to_owned(), parameter.quantity(model), "", kind)
     }
 
     /// The parameters that a word stands for: one by its full name, or all whose names begin with it and a dot.
@@ -172,102 +201,6 @@ impl Parameter {
         let names = all.iter().map(|parameter| parameter.name.as_str());
         let suggestion = suggest::closest(word, names).map(str::to_owned);
         Err(UnknownParameter { name: word.to_owned(), suggestion })
-    }
-
-    fn of_force(force: &Force) -> Vec<Self> {
-        let prefix = format!("forces.{}", force.name);
-        match &force.kind {
-            ForceKind::Line { reference, law, .. } => {
-                let mut list = Self::of_law(&prefix, force, 0, law, false);
-                let measured = law.elastic != Curve::Zero;
-                if measured {
-                    let (name, sign) = match reference {
-                        Reference::Length(_) => ("free_length", "+ longer"),
-                        Reference::Design(_) => ("offset", "+ longer where it measures from"),
-                    };
-                    list.push(Self {
-                        name: format!("{prefix}.{name}"),
-                        quantity: Quantity::Length,
-                        sign,
-                        kind: Kind::Length { force: force.name.clone() },
-                    });
-                }
-                list
-            }
-            ForceKind::Slide { law, .. } => Self::of_law(&prefix, force, 0, law, false),
-            ForceKind::Torsion { law, .. } => Self::of_law(&prefix, force, 0, law, true),
-            ForceKind::Bushing(_) => Self::of_bushing("forces", force),
-            _ => vec![],
-        }
-    }
-
-    /// The six laws of a bushing; those of a kind that is all zero are not there.
-    fn of_bushing(section: &str, force: &Force) -> Vec<Self> {
-        let ForceKind::Bushing(bushing) = &force.kind else { return vec![] };
-        let mut list = vec![];
-        let mut first = 0;
-        for (laws, name, turns) in [
-            (&bushing.translation, "stiffness", false),
-            (&bushing.rotation, "rotational_stiffness", true),
-        ] {
-            if laws.iter().all(Law::is_zero) {
-                continue;
-            }
-            for (axis, law) in laws.iter().enumerate() {
-                let prefix = format!("{section}.{}", force.name);
-                for mut parameter in Self::of_law(&prefix, force, first + axis, law, turns) {
-                    let rest = parameter.name[prefix.len() + 1..].to_owned();
-                    let rest = if rest == "stiffness" { name } else { &rest };
-                    parameter.name = format!("{prefix}.{rest}.{}", AXES[axis]);
-                    list.push(parameter);
-                }
-            }
-            first += laws.len();
-        }
-        list
-    }
-
-    fn of_law(prefix: &str, force: &Force, part: usize, law: &Law, turns: bool) -> Vec<Self> {
-        let (size, stiffness) = match turns {
-            false => (Quantity::Force, Quantity::Stiffness),
-            true => (Quantity::Torque, Quantity::RotationalStiffness),
-        };
-        let make = |name: String, quantity, sign, constant| Self {
-            name: format!("{prefix}.{name}"),
-            quantity,
-            sign,
-            kind: Kind::Law { force: force.name.clone(), part, constant },
-        };
-        let mut list = vec![];
-        match &law.elastic {
-            Curve::Zero => {}
-            Curve::Linear(_) => {
-                list.push(make(
-                    "stiffness".to_owned(),
-                    stiffness,
-                    "+ stiffer",
-                    LawConstant::Stiffness,
-                ));
-            }
-            Curve::Table(spline) => {
-                list.push(make(
-                    "scale".to_owned(),
-                    Quantity::Ratio,
-                    "+ stiffer: a factor of all forces of the table",
-                    LawConstant::Stiffness,
-                ));
-                let rows = spline.points().len();
-                list.extend((0..rows).map(|row| {
-                    let name = format!("table.{}", row + 1);
-                    make(name, size, "+ as the force of the law, + tension", LawConstant::Row(row))
-                }));
-            }
-        }
-        if law.acts == Acts::Always && law.elastic != Curve::Zero {
-            let sign = if turns { "+ right-handed" } else { "+ tension" };
-            list.push(make("preload".to_owned(), size, sign, LawConstant::Preload));
-        }
-        list
     }
 
     /// The value of a coordinate (m, along an axis of the model), `None` for other kinds.
@@ -313,103 +246,5 @@ impl Parameter {
     /// The unit in which [`Self::show`] gives derivatives.
     pub fn unit(&self, units: Units, factor: Quantity) -> String {
         format!("{} per {}", factor.symbol(units), self.quantity.symbol(units))
-    }
-
-    /// What the parameter is in the mechanism of a specimen.
-    pub(super) fn resolve(&self, specimen: &impl Variable) -> Resolved {
-        let mechanism = specimen.stand().mechanism();
-        let expansion = specimen.stand().system().expansion();
-        match &self.kind {
-            Kind::Coordinate { .. } | Kind::Toe | Kind::Camber => Resolved::Shape,
-            Kind::Law { force, part, constant } => {
-                let values = owners(mechanism, force).flat_map(|owner| {
-                    let own = expansion.elements().iter().map(|element| &element.instance);
-                    let own = own.filter(move |instance| instance.owner == owner);
-                    own.flat_map(|instance| instance.equations.clone()).nth(*part)
-                });
-                let constant = *constant;
-                Resolved::Constants(
-                    values.map(|value| ElementConstant { value, constant }).collect(),
-                )
-            }
-            Kind::Length { force } => {
-                let slots = owners(mechanism, force).filter_map(|owner| expansion.length(owner));
-                Resolved::Parameters(slots.map(|slot| (slot, 1.0)).collect())
-            }
-            Kind::Adjuster { adjuster } => {
-                let drivers = specimen.adjusters(*adjuster);
-                let slots = drivers.iter().flat_map(|&d| expansion.driver_slots().of(d));
-                Resolved::Parameters(slots.copied().collect())
-            }
-        }
-    }
-
-    /// The shape of a model that moves with this parameter.
-    fn moving(&self, model: &Model) -> Shape<Dual> {
-        let mut shape = Shape::of(model).lifted::<Dual>();
-        match self.kind {
-            Kind::Coordinate { point, axis } => {
-                let mut along = [0.0; 3];
-                along[axis] = 1.0;
-                for (x, along) in shape.points[point].iter_mut().zip(model.axes.to_iso(along)) {
-                    x.derivative = along;
-                }
-            }
-            Kind::Toe => shape.alignment.toe.derivative = 1.0,
-            Kind::Camber => shape.alignment.camber.derivative = 1.0,
-            _ => {}
-        }
-        shape
-    }
-}
-
-/// The force elements of a name: one, or one on each side.
-fn owners(mechanism: &Mechanism, force: &str) -> impl Iterator<Item = Owner> {
-    let names = [force.to_owned(), format!("left_{force}"), format!("right_{force}")];
-    let ids: Vec<_> = names.iter().filter_map(|name| mechanism.force_named(name)).collect();
-    ids.into_iter().map(Owner::Force)
-}
-
-/// What a parameter is in a mechanism.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Resolved {
-    /// It moves points.
-    Shape,
-    /// It is a constant of laws.
-    Constants(Vec<ElementConstant>),
-    /// It is added to parameters of relations, times a factor each.
-    Parameters(Vec<(usize, f64)>),
-}
-
-impl Resolved {
-    /// What changes in a state when the parameter does, per unit (SI). `constants` are those that the state was
-    /// asked about.
-    pub fn change(
-        &self,
-        parameter: &Parameter,
-        model: &Model,
-        varied: &Varied<'_>,
-        constants: &[ElementConstant],
-    ) -> Change {
-        match self {
-            Self::Shape => {
-                let shape = parameter.moving(model);
-                varied.change(&varied.both_sides(model, shape))
-            }
-            Self::Constants(own) => {
-                let mut change = varied.no_change();
-                for (amount, constant) in change.constants.iter_mut().zip(constants) {
-                    *amount = if own.contains(constant) { 1.0 } else { 0.0 };
-                }
-                change
-            }
-            Self::Parameters(slots) => {
-                let mut change = varied.no_change();
-                for &(slot, factor) in slots {
-                    change.h[slot] += factor;
-                }
-                change
-            }
-        }
     }
 }

@@ -2,7 +2,8 @@
 
 use thiserror::Error;
 
-use super::parameter::{Parameter, Resolved};
+use super::parameter::Parameter;
+use super::resolve::Resolved;
 use crate::assembly::ElementConstant;
 use crate::factors::{Convention, Factor, Need};
 use crate::model::{Model, Side};
@@ -29,6 +30,8 @@ pub struct Sensitivities {
     pub rows: Vec<Sensitivity>,
     /// The parameters by which there is no derivative, with the reason; their entries are empty.
     pub refused: Vec<(String, String)>,
+    /// The factors that the state does not have, with what they need.
+    pub lacking: Vec<(&'static str, String)>,
 }
 
 /// A factor of a wheel with its derivatives.
@@ -68,68 +71,76 @@ pub fn sensitivities(
     specimen.measure_compliance(compliance);
     let poses = specimen.poses();
     let compliance = poses.iter().any(|pose| pose.compliance.is_some());
-    let resolved: Vec<Resolved> = parameters.iter().map(|p| p.resolve(specimen)).collect();
+    let resolved: Vec<Resolved> = parameters.iter().map(|p| p.resolve(specimen, model)).collect();
     let mut constants: Vec<ElementConstant> = vec![];
     for resolved in &resolved {
-        if let Resolved::Constants(own) = resolved {
-            constants.extend(own);
-        }
+        constants.extend(resolved.constants.iter().map(|(constant, _)| constant));
     }
     let mut rows = rows(&poses, factors, convention);
-    let redundant = !specimen.stand().freedom().redundant.is_empty();
-    let labels = specimen.stand().system().expansion().clone();
+    let lacking = factors.iter().filter_map(|factor| Some((factor.name, lacking(factor, &poses)?)));
+    let lacking = lacking.collect();
     let mut varied = specimen.vary(&constants, compliance)?;
-    let changes: Vec<Change> = parameters
+    let changes: Vec<Result<Change, SensitivityError>> = parameters
         .iter()
         .zip(&resolved)
-        .map(|(parameter, resolved)| resolved.change(parameter, model, &varied, &constants))
+        .map(|(parameter, resolved)| resolved.change(parameter, model, &mut varied, &constants))
         .collect();
     let adjoint = match way {
-        // What redundant equations say to a change is known the direct way only.
-        _ if redundant => false,
-        Way::Automatic => rows.len() < parameters.len(),
+        // What an adjoint needs of the formulas costs half as much as a direct solution; see benches/README.md.
+        Way::Automatic => 3 * rows.len() < 2 * parameters.len(),
         Way::Direct => false,
         Way::Adjoint => true,
     };
     let mut refused = vec![];
-    if adjoint {
-        let derivatives = |poses: &[Pose<Dual>]| -> Vec<f64> {
-            let by = |row: &Row| row.dual(convention, poses).map_or(0.0, |dual| dual.derivative);
-            rows.iter().map(by).collect()
-        };
-        match varied.gradients(rows.len(), derivatives) {
-            Ok(gradients) => {
-                for (row, gradient) in rows.iter_mut().zip(&gradients) {
-                    row.result.by = changes.iter().map(|c| Some(gradient.dot(c))).collect();
-                }
-            }
-            Err(_) => return Err(VaryError::Singular.into()),
+    let gradients = match adjoint {
+        true => {
+            let derivatives = |poses: &[Pose<Dual>]| -> Vec<f64> {
+                let by =
+                    |row: &Row| row.dual(convention, poses).map_or(0.0, |dual| dual.derivative);
+                rows.iter().map(by).collect()
+            };
+            varied.gradients(rows.len(), derivatives).map_err(|_| VaryError::Singular)?
         }
-    } else {
-        for (parameter, change) in parameters.iter().zip(&changes) {
-            match varied.poses(change) {
-                Ok(poses) => {
-                    for row in &mut rows {
-                        let dual = row.dual(convention, &poses);
-                        row.result.by.push(dual.map(|dual| dual.derivative));
-                    }
-                }
-                Err(error) => {
-                    rows.iter_mut().for_each(|row| row.result.by.push(None));
-                    let reason = match error {
-                        SensitivityError::Singular(error) => error.to_string(),
-                        SensitivityError::Redundant { equation } => format!(
-                            "it breaks an equation that is redundant in this mechanism: {}",
-                            labels.label(equation)
-                        ),
-                    };
-                    refused.push((parameter.name.clone(), reason));
-                }
+        false => vec![],
+    };
+    for (parameter, change) in parameters.iter().zip(changes) {
+        let found = change.and_then(|change| -> Result<Vec<Option<f64>>, SensitivityError> {
+            if adjoint {
+                varied.check(&change)?;
+                return Ok(gradients.iter().map(|gradient| Some(gradient.dot(&change))).collect());
             }
+            let poses = varied.poses(&change)?;
+            let by = |row: &Row| Some(row.dual(convention, &poses)?.derivative);
+            Ok(rows.iter().map(by).collect())
+        });
+        let found = found.unwrap_or_else(|error| {
+            let reason = match error {
+                SensitivityError::Singular(error) => error.to_string(),
+                SensitivityError::Redundant { equation } => format!(
+                    "the joints would no longer fit together: {} is redundant, and holds only as long as \
+                     the points keep their proportions",
+                    varied.label(equation)
+                ),
+            };
+            refused.push((parameter.name.clone(), reason));
+            vec![None; rows.len()]
+        });
+        for (row, by) in rows.iter_mut().zip(found) {
+            row.result.by.push(by);
         }
     }
     let rows = rows.into_iter().map(Row::finish).collect();
-    Ok(Sensitivities { rows, refused })
+    Ok(Sensitivities { rows, refused, lacking })
+}
+
+/// What a factor needs and the state does not have.
+fn lacking(factor: &Factor, poses: &[Pose<f64>]) -> Option<String> {
+    let first = poses.first()?;
+    if let Some(axle) = factor.axle.filter(|_| !factor.applies(first)) {
+        return Some(format!("a {} axle", axle.name()));
+    }
+    let missing: Vec<&str> = factor.missing(first).map(Need::words).collect();
+    (!missing.is_empty()).then(|| missing.join(" and "))
 }
 
 /// A row on its way.

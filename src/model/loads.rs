@@ -28,6 +28,17 @@ pub struct JointBushing {
     pub(crate) each_side: bool,
 }
 
+impl JointBushing {
+    /// The section of the file that has it; empty for the only element of a fitting.
+    pub(crate) fn section(&self) -> &'static str {
+        match &*self.force.name {
+            _ if self.each_side => "subframe.mounts",
+            "hub_bearing" | "steering_gear" => "",
+            _ => "bushings",
+        }
+    }
+}
+
 /// Half of an anti-roll bar: an arm that turns on the chassis about a line along y, and a drop link. A
 /// torsion spring joins the arms of both sides.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -148,6 +148,11 @@ impl Model {
         &self.loads.forces
     }
 
+    /// The force elements of `[[axle_forces]]`, between the two sides of an axle.
+    pub fn axle_forces(&self) -> &[Force] {
+        &self.loads.axle_forces
+    }
+
     /// The bushings of `[bushings]`, which stand for joints, and the elastic elements of fittings, which do so,
     /// too.
     pub fn bushings(&self) -> &[JointBushing] {

@@ -316,6 +316,7 @@ impl Model {
     /// mechanism: it does not follow when a point moves.
     pub(super) fn body_origin(&self, body: BodyId) -> [f64; 3] {
         let mut points = self.architecture.joint_points(body);
+        points.retain(|point| point.0 < self.points.len());
         if body == self.architecture.wheel.body {
             points.push(self.architecture.wheel.center);
             points.sort_unstable();

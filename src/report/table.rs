@@ -89,9 +89,39 @@ pub(super) fn cell_to(value: Option<f64>, decimals: usize) -> String {
     )
 }
 
+/// Writes columns, those of numbers to the right.
+pub(super) fn write_aligned(
+    writer: &mut impl io::Write,
+    lines: &[Vec<String>],
+    numbers: std::ops::Range<usize>,
+) -> io::Result<()> {
+    let width = |k: usize| lines.iter().map(|line| line[k].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..lines[0].len()).map(width).collect();
+    for line in lines {
+        let cells = line.iter().zip(&widths).enumerate().map(|(k, (cell, width))| {
+            if numbers.contains(&k) { format!("{cell:>width$}") } else { format!("{cell:<width$}") }
+        });
+        writeln!(writer, "  {}", cells.collect::<Vec<_>>().join("  ").trim_end())?;
+    }
+    Ok(())
+}
+
+/// Five significant digits, with an exponent for what is very small or very large.
+pub(super) fn five_digits(value: f64) -> String {
+    let text = format!("{value:.4e}");
+    let exponent = text.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    match exponent {
+        Some(exponent @ -4..=6) if value != 0.0 => {
+            format!("{value:.*}", usize::try_from(4 - exponent).unwrap_or(0))
+        }
+        _ if value == 0.0 => "0".to_owned(),
+        _ => text,
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::cell;
+    use super::{cell, five_digits};
 
     #[test]
     fn cells_have_no_negative_zero() {
@@ -99,5 +129,15 @@ mod tests {
         assert_eq!(cell(Some(-0.0001)), "-0.0001");
         assert_eq!(cell(Some(-10.0)), "-10.0000");
         assert_eq!(cell(None), "–");
+    }
+
+    #[test]
+    fn five_digits_are_shown_at_any_size() {
+        assert_eq!(five_digits(0.0), "0");
+        assert_eq!(five_digits(-0.123_456_7), "-0.12346");
+        assert_eq!(five_digits(1234.567), "1234.6");
+        assert_eq!(five_digits(1_234_567.0), "1234567");
+        assert_eq!(five_digits(1e-7), "1.0000e-7");
+        assert_eq!(five_digits(1.0), "1.0000");
     }
 }

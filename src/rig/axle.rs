@@ -7,12 +7,14 @@ use super::corner::RigError;
 use super::hold::Hold;
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::Pose;
+use super::settled::Settled;
 use super::shape::{Origins, Shape};
 use super::stand::Stand;
 use super::station::Station;
 use super::sweep::Specimen;
 use super::target::{Supports, Target};
-use super::varied::{Variable, Varied, VaryError};
+use super::variable::{Variable, VaryError};
+use super::varied::Varied;
 use super::view::View;
 use crate::assembly::ElementConstant;
 use crate::mechanism::{DriverId, Force, Mechanism};
@@ -40,6 +42,7 @@ pub struct Axle {
     steering: Steering,
     adjustments: Vec<Adjustment>,
     origins: Origins,
+    settled: Option<Settled>,
 }
 
 impl Axle {
@@ -75,7 +78,7 @@ impl Axle {
             Side::Left => [model, other],
             Side::Right => [other, model],
         };
-        let set = adjust::axle(models, setup, suspension)?;
+        let (set, settled) = adjust::axle(models, setup, suspension)?.unzip();
         let mut suspension = suspension(setup)?;
         let homes = [0, 1].map(|k| set.as_ref().map(|set| set[k].home));
         let axes = model.axes;
@@ -119,6 +122,7 @@ impl Axle {
             stations: [station(Side::Left), station(Side::Right)],
             adjustments: set.into_iter().flatten().flat_map(|set| set.adjustments).collect(),
             load: [Load::default(); 2],
+            settled,
             elements,
             suspension,
             stand,
@@ -375,12 +379,16 @@ impl Variable for Axle {
         Varied::reshape(stand, stations, origins, shapes, constants, lengths)
     }
 
+    fn settled(&self) -> Option<&Settled> {
+        self.settled.as_ref()
+    }
+
     fn vary(
         &mut self,
         constants: &[ElementConstant],
         compliance: bool,
     ) -> Result<Varied<'_>, VaryError> {
-        let Self { stations, stand, origins, .. } = self;
-        Varied::of(stand, stations, origins, constants, compliance)
+        let Self { stations, stand, origins, settled, .. } = self;
+        Varied::of(stand, stations, origins, constants, compliance, settled.as_mut())
     }
 }

@@ -8,12 +8,14 @@ use super::compliance::Compliance;
 use super::hold::Hold;
 use super::load::{Load, LoadPoint, WheelLoads};
 use super::pose::Pose;
+use super::settled::Settled;
 use super::shape::{Origins, Shape};
 use super::stand::Stand;
 use super::station::Station;
 use super::sweep::Specimen;
 use super::target::{Supports, Target};
-use super::varied::{Variable, Varied, VaryError};
+use super::variable::{Variable, VaryError};
+use super::varied::Varied;
 use super::view::View;
 use crate::assembly::ElementConstant;
 use crate::mechanism::{DriverId, Force, Mechanism, MechanismError};
@@ -64,6 +66,7 @@ pub struct Corner {
     steering: Steering,
     adjustments: Vec<Adjustment>,
     origins: Origins,
+    settled: Option<Settled>,
 }
 
 impl Corner {
@@ -81,7 +84,7 @@ impl Corner {
     /// # Errors
     /// As for [`Self::new`].
     pub fn with_loads(model: &Model, setup: &Setup, at: LoadPoint) -> Result<Self, RigError> {
-        let set = adjust::corner(model, setup)?;
+        let (set, settled) = adjust::corner(model, setup)?.unzip();
         let home = set.as_ref().map(|set| set.home);
         let mut suspension = model.suspension(setup)?;
         let own_forces = suspension.mechanism.forces().len();
@@ -109,6 +112,7 @@ impl Corner {
             origins: Origins::of(stand.mechanism(), &[model], &[home]),
             station: Station::of_corner(&suspension, model, setup).on(&stand, home),
             load: Load::default(),
+            settled,
             suspension,
             stand,
             loads,
@@ -336,12 +340,17 @@ impl Variable for Corner {
         Varied::reshape(stand, std::slice::from_ref(station), origins, shapes, constants, lengths)
     }
 
+    fn settled(&self) -> Option<&Settled> {
+        self.settled.as_ref()
+    }
+
     fn vary(
         &mut self,
         constants: &[ElementConstant],
         compliance: bool,
     ) -> Result<Varied<'_>, VaryError> {
-        let Self { station, stand, origins, .. } = self;
-        Varied::of(stand, std::slice::from_ref(station), origins, constants, compliance)
+        let Self { station, stand, origins, settled, .. } = self;
+        let stations = std::slice::from_ref(station);
+        Varied::of(stand, stations, origins, constants, compliance, settled.as_mut())
     }
 }

@@ -59,7 +59,12 @@ impl Stand {
         // Those that are held by forces come last.
         values.extend(sought.iter().map(|&(driver, _)| (driver, self.driver_value(driver))));
         let report = self.move_to(&values)?;
-        if sought.is_empty() { Ok(report) } else { self.seek(&sought, values, report) }
+        if sought.is_empty() {
+            return Ok(report);
+        }
+        let report = self.seek(&sought, values, report)?;
+        self.hold_by_force(sought.into_iter().map(|(driver, _)| driver));
+        Ok(report)
     }
 
     /// Seeks the values of drivers, the last ones of `values`, that have the forces.

@@ -51,7 +51,7 @@ impl WheelLoads {
         wheel: &model::Wheel,
         prefix: &str,
         point: LoadPoint,
-        home: Option<&Home>,
+        home: Option<&Home<f64>>,
         axes: Axes,
     ) -> Result<Self, MechanismError> {
         let at = match point {

@@ -5,7 +5,7 @@ use super::line::Wheel;
 use crate::mechanism::Mechanism;
 use crate::model::{Alignment, Model, Side};
 use crate::scalar::Scalar;
-use crate::vector::{Vector, add, constant, scale, sub, unit};
+use crate::vector::{Vector, constant, scale, sub, unit};
 
 /// The geometry of one side of a vehicle, in ISO 8855 axes.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,12 +70,12 @@ struct WheelOrigin {
     radius: f64,
     /// The second point of the spin axis, where there is one, and 1 where it lies outboard, −1 inboard.
     spindle: Option<(usize, f64)>,
-    home: Option<Home>,
+    home: Option<Home<f64>>,
 }
 
 impl Origins {
     /// Finds them by their names, which have the side before them in an axle.
-    pub fn of(mechanism: &Mechanism, models: &[&Model], homes: &[Option<Home>]) -> Self {
+    pub fn of(mechanism: &Mechanism, models: &[&Model], homes: &[Option<Home<f64>>]) -> Self {
         let prefix = |model: &Model| match models.len() {
             1 => [String::new(), String::new()],
             _ => ["_", " "].map(|gap| format!("{}{gap}", model.side.name())),
@@ -100,7 +100,7 @@ impl Origins {
             }
             Origin::Fixed(position)
         };
-        let wheel = |(model, home): (&&Model, &Option<Home>)| WheelOrigin {
+        let wheel = |(model, home): (&&Model, &Option<Home<f64>>)| WheelOrigin {
             side: model.side,
             center: model.architecture.wheel_center().index(),
             radius: model.wheel_radius,
@@ -120,6 +120,17 @@ impl Origins {
 
     /// The design positions (m) of the points of the mechanism for shapes of the sides.
     pub fn positions<S: Scalar>(&self, shapes: &[Shape<S>]) -> Vec<Vector<S>> {
+        let homes: Vec<Option<Home<S>>> =
+            self.wheels.iter().map(|wheel| wheel.home.map(|home| home.lifted())).collect();
+        self.positions_from(shapes, &homes)
+    }
+
+    /// The same where the static states of the sides vary, too.
+    pub fn positions_from<S: Scalar>(
+        &self,
+        shapes: &[Shape<S>],
+        homes: &[Option<Home<S>>],
+    ) -> Vec<Vector<S>> {
         let spin = |side: usize| {
             let WheelOrigin { side: name, center, spindle, .. } = &self.wheels[side];
             let Shape { points, alignment } = &shapes[side];
@@ -137,10 +148,10 @@ impl Origins {
                 sub(center, scale(S::from_f64(crate::model::AXLE_LENGTH), spin(side)))
             }
             Origin::Patch { side } => {
-                let WheelOrigin { center, radius, home, .. } = &self.wheels[side];
+                let WheelOrigin { center, radius, .. } = &self.wheels[side];
                 let center = shapes[side].points[*center];
-                match home {
-                    Some(home) => add(center, constant(home.patch([0.0; 3]))),
+                match &homes[side] {
+                    Some(home) => home.patch(center),
                     None => {
                         let radius = S::from_f64(*radius);
                         Wheel { center, spin: spin(side), radius }.contact_patch()

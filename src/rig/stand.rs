@@ -9,7 +9,7 @@ use super::pose::Pose;
 use super::rates::Rates;
 use super::sweep::Specimen;
 use super::target::Target;
-use super::varied::VaryError;
+use super::variable::VaryError;
 use super::view::View;
 use crate::mechanism::{Body, DriverId, Expansion, Mechanism};
 use crate::model::Axes;
@@ -35,6 +35,8 @@ pub struct Stand {
     rigid: bool,
     /// Whether the state is one of equilibrium.
     found: bool,
+    /// The drivers that forces hold.
+    by_force: Vec<DriverId>,
     axes: Axes,
     elements: Vec<Channel>,
     joints: Vec<Channel>,
@@ -73,6 +75,7 @@ impl Stand {
             loaded: !expansion.elements().is_empty(),
             rigid: released.is_empty() && system.freedom().free_motions.is_empty(),
             found: false,
+            by_force: vec![],
             axes,
             elements,
             joints,
@@ -205,7 +208,19 @@ impl Stand {
     /// # Errors
     /// [`Stop`] where the mechanism cannot go on or has no equilibrium. It then stays where it got to.
     pub fn move_to(&mut self, targets: &[(DriverId, f64)]) -> Result<StepReport, Stop> {
+        self.by_force.clear();
         if self.rigid || !self.loaded { self.move_rigidly(targets) } else { self.follow(targets) }
+    }
+
+    /// The drivers that forces hold, not values.
+    pub(super) fn by_force(&self) -> &[DriverId] {
+        &self.by_force
+    }
+
+    /// Says which drivers forces hold.
+    pub(super) fn hold_by_force(&mut self, drivers: impl IntoIterator<Item = DriverId>) {
+        self.by_force.clear();
+        self.by_force.extend(drivers);
     }
 
     /// Lets the mechanism find its equilibrium with the drivers where they are.
@@ -247,6 +262,7 @@ impl Stand {
         self.system.reset();
         self.equilibrium.restart(&self.system);
         self.found = false;
+        self.by_force.clear();
     }
 
     /// Takes other design positions (m) of all points, and other values of the lengths from which force elements

@@ -44,7 +44,7 @@ pub(super) struct Station {
     /// The law of the model's tyre, whether or not the wheel stands on it.
     tyre_law: Option<Law>,
     /// The static state, where the model asks for one.
-    home: Option<Home>,
+    home: Option<Home<f64>>,
     /// Where the parameters are that say where the steer axis meets its bodies, where adjusters change them.
     adjusted: [Option<usize>; 2],
     /// What may be fast near a dead centre: the joints of moving bodies, the seats of springs, the wheel centre.
@@ -106,7 +106,7 @@ impl Station {
     }
 
     /// The same on a stand, with changes counted from a static state where there is one.
-    pub fn on(self, stand: &Stand, home: Option<Home>) -> Self {
+    pub fn on(self, stand: &Stand, home: Option<Home<f64>>) -> Self {
         let expansion = stand.system().expansion();
         let place = |(point, body)| expansion.adjusted_place(body, point);
         let adjusted = self.steer_axis.map(|axis| [axis.lower, axis.upper].map(place));
@@ -122,9 +122,9 @@ impl Station {
         self.ends().any(|(_, body)| motion.bodies.contains(&body))
     }
 
-    /// Whether the wheel starts from a static state.
-    pub fn is_adjusted(&self) -> bool {
-        self.home.is_some()
+    /// Where the wheel starts from, where that is a static state.
+    pub fn home<S: Scalar>(&self) -> Option<Home<S>> {
+        self.home.map(|home| home.lifted())
     }
 
     /// The bodies that poses depend on.
@@ -154,14 +154,19 @@ impl Station {
 
     /// Where wheel, steer axis and spring are, and what the wheel carries.
     pub fn pose(&self, stand: &Stand) -> Pose<f64> {
-        self.loaded_pose(&stand.view(), self.force(stand))
+        self.loaded_pose(&stand.view(), self.home.as_ref(), self.force(stand))
     }
 
-    /// The same of a state on any scalar, with the vertical force on the wheel.
-    pub fn loaded_pose<S: Real>(&self, view: &View<'_, S>, force: Option<S>) -> Pose<S> {
+    /// The same of a state on any scalar, with the static state and the vertical force on the wheel.
+    pub fn loaded_pose<S: Real>(
+        &self,
+        view: &View<'_, S>,
+        home: Option<&Home<S>>,
+        force: Option<S>,
+    ) -> Pose<S> {
         let load = force.map(|force| WheelLoad { force, rate: None });
         let tyre = force.and_then(|force| self.tyre_under(force));
-        Pose { load, tyre, ..self.pose_at(view) }
+        Pose { load, tyre, ..self.pose_from(view, home) }
     }
 
     /// Adds how the parts of a pose move, and how the force on the wheel grows.
@@ -180,10 +185,15 @@ impl Station {
     }
 
     /// Where wheel, steer axis and spring are at a state of the mechanism.
-    pub fn pose_at<S: Real>(&self, view: &View<'_, S>) -> Pose<S> {
+    pub fn pose_at(&self, view: &View<'_, f64>) -> Pose<f64> {
+        self.pose_from(view, self.home.as_ref())
+    }
+
+    /// The same on any scalar, with the static state.
+    fn pose_from<S: Real>(&self, view: &View<'_, S>, home: Option<&Home<S>>) -> Pose<S> {
         let Self { wheel, steer_axis, spring, damper, .. } = self;
         let rotation = view.rotation(wheel.body);
-        let design = self.design(view);
+        let design = self.design(view, home);
         let spin = view.direction(wheel.spin);
         let disc = Wheel {
             center: view.point((wheel.center, wheel.body)),
@@ -192,15 +202,13 @@ impl Station {
         };
         Pose {
             travel: match self.support {
-                _ if self.rolls => self.travel_in_body(view, &disc),
+                _ if self.rolls => self.travel_in_body(view, home, &disc),
                 WheelSupport::Held => view.driver(self.travel),
                 WheelSupport::Free => self.driven(&disc)[2] - self.driven(&design.wheel)[2],
             },
             rack: self.rack.map_or(S::from_f64(0.0), |rack| view.driver(rack)),
             wheel: disc,
-            rotation: self
-                .home
-                .map_or(rotation, |home| relative(rotation, home.rotation.map(constant))),
+            rotation: home.map_or(rotation, |home| relative(rotation, home.rotation)),
             steer_axis: steer_axis.map(|axis| {
                 let ends = [(axis.lower, self.adjusted[0]), (axis.upper, self.adjusted[1])];
                 Line::through(ends.map(|(end, adjusted)| joint_place(view, end, adjusted)))
@@ -228,9 +236,14 @@ impl Station {
     }
 
     /// How far the wheel has gone up from design in the axes of the chassis, which rolls.
-    fn travel_in_body<S: Real>(&self, view: &View<'_, S>, wheel: &Wheel<S>) -> S {
+    fn travel_in_body<S: Real>(
+        &self,
+        view: &View<'_, S>,
+        home: Option<&Home<S>>,
+        wheel: &Wheel<S>,
+    ) -> S {
         let body = self.chassis;
-        let design = self.start(view);
+        let design = self.start(view, home);
         let [x, y, z, ..] = view.state[body.index()];
         let up = view.rotation(body).map(|row| row[2]);
         let origin = S::from_f64(view.bodies[body.index()].origin[2]);
@@ -239,10 +252,10 @@ impl Station {
     }
 
     /// The wheel at the design position or in the static state.
-    fn start<S: Real>(&self, view: &View<'_, S>) -> Wheel<S> {
+    fn start<S: Real>(&self, view: &View<'_, S>, home: Option<&Home<S>>) -> Wheel<S> {
         let Self { wheel, .. } = self;
-        match self.home {
-            Some(home) => home.wheel.lifted(),
+        match home {
+            Some(home) => home.wheel,
             None => Wheel {
                 center: view.points[wheel.center.index()],
                 spin: view.direction(wheel.spin),
@@ -253,7 +266,7 @@ impl Station {
 
     /// The design position or the static state, carried up and down with the chassis of a state, but not rolled: angles and
     /// ways are those from the design position in ground axes, as Lotus prints them in roll.
-    fn design<S: Real>(&self, view: &View<'_, S>) -> Design<S> {
+    fn design<S: Real>(&self, view: &View<'_, S>, home: Option<&Home<S>>) -> Design<S> {
         let Self { spring, damper, chassis, .. } = self;
         let zero = S::from_f64(0.0);
         let origin = S::from_f64(view.bodies[chassis.index()].origin[2]);
@@ -263,13 +276,11 @@ impl Station {
         let line = |strut: &Option<StrutLine>| {
             strut.map(|strut| Line::through(strut.ends.map(|(point, _)| at(point))))
         };
-        let (spring, damper) = match self.home {
-            Some(home) => {
-                (home.spring.map(|line| line.lifted()), home.damper.map(|line| line.lifted()))
-            }
+        let (spring, damper) = match home {
+            Some(home) => (home.spring, home.damper),
             None => (line(spring), line(damper)),
         };
-        let wheel = self.start(view);
+        let wheel = self.start(view, home);
         let along = |line: Line<S>| Line { from: carried(line.from), to: carried(line.to) };
         Design {
             wheel: Wheel { center: carried(wheel.center), ..wheel },

@@ -1,148 +1,27 @@
 //! How the poses of a stand change with what its model is made of.
 
+mod moved;
+mod seeds;
+
+pub use moved::Moved;
+
+use super::adjust::Home;
 use super::pose::{OtherWheel, Pose, WheelCompliance};
+use super::settled::{Settled, SettledChange, Settling};
 use super::shape::{Origins, Shape};
 use super::stand::Stand;
 use super::station::Station;
-use super::sweep::Specimen;
+use super::variable::{VaryError, both_sides};
 use super::view::View;
 use crate::assembly::ElementConstant;
-use crate::mechanism::{Body, BodyId, DriverId, DriverSlots, Expansion, Owner, PointId};
-use crate::model::{Model, Side};
-use crate::relation::{BODY_COORDINATES, Coordinates};
+use crate::mechanism::{Body, DriverId, DriverSlots, Expansion, Owner};
+use crate::model::Model;
+use crate::relation::BODY_COORDINATES;
 use crate::scalar::{Dual, Scalar};
 use crate::solve::Twist;
 use crate::solve::compliance::WRENCH;
-use crate::solve::linear::Singular;
-use crate::solve::sensitivity::{
-    Change, Frame, Gradient, Question, Response, Sensitivity, SensitivityError,
-};
-use crate::vector::{Vector, add, constant, rotate, sub};
-
-/// Why a state cannot say how it changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum VaryError {
-    /// The wheel is not held at a travel.
-    #[error(
-        "sensitivities are those of wheels that the rig holds at a travel; these stand on their tyres"
-    )]
-    Free,
-    /// The model asks for a static state.
-    #[error(
-        "sensitivities are those of the design position, but [static] or the settings of adjusters put the \
-         model elsewhere; leave them out"
-    )]
-    Adjusted,
-    /// There is no equilibrium to start from.
-    #[error("the forces are not in balance in this state, so it does not say how it changes")]
-    NoEquilibrium,
-    /// A dead centre.
-    #[error("the state is a dead centre: neighbouring states are not determined")]
-    Singular,
-}
-
-impl From<Singular> for VaryError {
-    fn from(_: Singular) -> Self {
-        Self::Singular
-    }
-}
-
-/// What can be asked how it changes.
-pub trait Variable: Specimen {
-    /// The mechanism on the rig.
-    fn stand(&self) -> &Stand;
-
-    /// Sets whether poses measure how wheels give way to loads.
-    fn measure_compliance(&mut self, measures: bool);
-
-    /// The adjusters, one of each side, that one of the model is.
-    fn adjusters(&self, adjuster: usize) -> Vec<DriverId>;
-
-    /// The shapes of all sides, left first, that go with one of a model: the other side is the mirror image, or
-    /// stays where a file of its own describes it.
-    fn both_sides<S: Scalar>(&self, model: &Model, shape: Shape<S>) -> Vec<Shape<S>> {
-        both_sides(self.sides(), model, shape)
-    }
-
-    /// 1 of a corner, 2 of an axle.
-    fn sides(&self) -> usize;
-
-    /// Takes the shapes of other models of the same build for all sides, left first, and returns to the design
-    /// position. `constants` are new values of laws, `lengths` those of parameters of force elements. Loads and what
-    /// is measured stay.
-    ///
-    /// # Errors
-    /// [`VaryError::Adjusted`] for a model with a static state.
-    fn reshape(
-        &mut self,
-        shapes: &[Shape<f64>],
-        constants: &[(ElementConstant, f64)],
-        lengths: &[(usize, f64)],
-    ) -> Result<(), VaryError>;
-
-    /// The current state, to ask how its poses change with the model and with some constants of force elements.
-    ///
-    /// # Errors
-    /// [`VaryError`].
-    fn vary(
-        &mut self,
-        constants: &[ElementConstant],
-        compliance: bool,
-    ) -> Result<Varied<'_>, VaryError>;
-}
-
-fn both_sides<S: Scalar>(sides: usize, model: &Model, shape: Shape<S>) -> Vec<Shape<S>> {
-    if sides < 2 {
-        return vec![shape];
-    }
-    let other = match model.has_other_side() {
-        true => Shape::of(&model.other_side()).lifted(),
-        false => shape.mirrored(),
-    };
-    match model.side {
-        Side::Left => vec![shape, other],
-        Side::Right => vec![other, shape],
-    }
-}
-
-/// A state with its derivatives along a change.
-#[derive(Clone, Debug)]
-pub struct Moved {
-    /// One of a corner, left and right of an axle.
-    pub poses: Vec<Pose<Dual>>,
-    state: Vec<Coordinates<Dual>>,
-    points: Vec<Vector<Dual>>,
-    origins: Vec<[f64; 3]>,
-}
-
-impl Moved {
-    /// Where a point of a body is (m).
-    ///
-    /// # Panics
-    /// If body or point belong to another mechanism.
-    pub fn point(&self, (point, body): (PointId, BodyId)) -> Vector<Dual> {
-        let q = &self.state[body.index()];
-        let local = sub(self.points[point.index()], constant(self.origins[body.index()]));
-        add([q[0], q[1], q[2]], self.turned(body, local))
-    }
-
-    /// A direction of a body in the axes of the ground.
-    ///
-    /// # Panics
-    /// If the body belongs to another mechanism.
-    pub fn turned(&self, body: BodyId, direction: Vector<Dual>) -> Vector<Dual> {
-        let q = &self.state[body.index()];
-        rotate([q[3], q[4], q[5], q[6]], direction)
-    }
-
-    /// The design position (m) of a point.
-    ///
-    /// # Panics
-    /// If the point belongs to another mechanism.
-    pub fn design(&self, point: PointId) -> Vector<Dual> {
-        self.points[point.index()]
-    }
-}
+use crate::solve::sensitivity::{Change, Frame, Question, Response, Sensitivity, SensitivityError};
+use crate::vector::Vector;
 
 /// A stand at one state, ready to say how its poses change. The stand cannot change meanwhile.
 pub struct Varied<'a> {
@@ -154,6 +33,24 @@ pub struct Varied<'a> {
     bodies: &'a [Body],
     drivers: Vec<Dual>,
     question: Question,
+    settling: Option<Box<Settling<'a>>>,
+}
+
+/// What changes in a model, per unit of a parameter (SI).
+#[derive(Clone, Debug, Default)]
+pub struct Cause {
+    /// The shapes of all sides, left first, with their derivatives.
+    pub shapes: Vec<Shape<Dual>>,
+    /// The constants that the state was asked about.
+    pub constants: Vec<f64>,
+    /// Parameters of relations.
+    pub parameters: Vec<(usize, f64)>,
+    /// The same in the mechanism of the static state.
+    pub settled_parameters: Vec<(usize, f64)>,
+    /// What the goals of the static state have to be.
+    pub wanted: Vec<f64>,
+    /// The travels of all wheels in the static state.
+    pub travels: Vec<f64>,
 }
 
 impl<'a> Varied<'a> {
@@ -164,25 +61,33 @@ impl<'a> Varied<'a> {
         origins: &'a Origins,
         constants: &[ElementConstant],
         measures_compliance: bool,
+        settled: Option<&'a mut Settled>,
     ) -> Result<Self, VaryError> {
         if !stations.iter().all(Station::is_held) {
             return Err(VaryError::Free);
         }
-        if stations.iter().any(Station::is_adjusted) {
-            return Err(VaryError::Adjusted);
-        }
+        let settling = settled.map(|settled| settled.vary(stand, constants)).transpose()?;
+        let homes = stations.iter().filter_map(Station::home::<f64>);
+        let others = homes.map(|mut home| home.numbers_mut().count()).sum();
         let mut drivers: Vec<DriverId> = stations.iter().map(|station| station.travel).collect();
         drivers.extend(stations.first().and_then(|station| station.rack));
+        let by_force: Vec<DriverId> = stand.by_force().to_vec();
         let wheels = stations.iter().map(|station| (station.wheel.body, station.wheel.center));
         let equation = |driver: DriverId| stand.equilibrium().equation_of(driver);
+        let by_force = by_force.into_iter().map(|driver| (driver, equation(driver))).collect();
         let question = match measures_compliance {
             true => Question {
+                others,
+                by_force,
                 let_go: stations.iter().map(|station| equation(station.travel)).collect(),
                 points: wheels.collect(),
                 drivers,
                 constants: constants.to_vec(),
             },
-            false => Question { drivers, constants: constants.to_vec(), ..Question::default() },
+            false => {
+                let constants = constants.to_vec();
+                Question { others, by_force, drivers, constants, ..Question::default() }
+            }
         };
         let values = stand.equilibrium().driver_values().iter();
         let drivers = values.map(|&value| Dual::from_f64(value)).collect();
@@ -190,7 +95,18 @@ impl<'a> Varied<'a> {
         let (mut frame, sensitivity) = (parts.frame, parts.sensitivity);
         sensitivity.ask(&mut frame, &question, parts.positions)?;
         let (expansion, bodies) = (parts.expansion, parts.bodies);
-        Ok(Self { frame, sensitivity, stations, origins, expansion, bodies, drivers, question })
+        let settling = settling.map(Box::new);
+        Ok(Self {
+            frame,
+            sensitivity,
+            stations,
+            origins,
+            expansion,
+            bodies,
+            drivers,
+            question,
+            settling,
+        })
     }
 
     /// As [`Variable::reshape`].
@@ -202,7 +118,7 @@ impl<'a> Varied<'a> {
         constants: &[(ElementConstant, f64)],
         lengths: &[(usize, f64)],
     ) -> Result<(), VaryError> {
-        if stations.iter().any(Station::is_adjusted) {
+        if stations.iter().any(|station| station.home::<f64>().is_some()) {
             return Err(VaryError::Adjusted);
         }
         let laws = stand.equilibrium_mut().elements_mut().laws_mut();
@@ -218,15 +134,79 @@ impl<'a> Varied<'a> {
         both_sides(self.stations.len(), model, shape)
     }
 
+    /// What changes in the state when something does in the model. Adjusters and the static state follow.
+    ///
+    /// # Errors
+    /// [`SensitivityError`] where the static state does not go with it.
+    pub fn change_by(&mut self, cause: &Cause) -> Result<Change, SensitivityError> {
+        let Some(mut settling) = self.settling.take() else {
+            return Ok(self.change_from(cause, &self.homes(&[])));
+        };
+        let mut at_rest = settling.varied.change(&cause.shapes);
+        at_rest.constants.copy_from_slice(&cause.constants);
+        for &(slot, factor) in &cause.settled_parameters {
+            at_rest.h[slot] += factor;
+        }
+        for (station, &travel) in settling.varied.stations.iter().zip(&cause.travels) {
+            settling.varied.drive(station.travel, travel, &mut at_rest);
+        }
+        let settled = settling.settle(&at_rest, &cause.wanted);
+        let drivers = settling.drivers.clone();
+        self.settling = Some(settling);
+        let SettledChange { ways, homes } = settled?;
+        let mut change = self.change_from(cause, &self.homes(&homes));
+        for (driver, way) in drivers.into_iter().zip(ways) {
+            self.drive(driver, way, &mut change);
+        }
+        for (station, &travel) in self.stations.iter().zip(&cause.travels) {
+            self.drive(station.travel, travel, &mut change);
+        }
+        change.others = homes;
+        Ok(change)
+    }
+
+    /// What changes without the adjusters that a static state moves.
+    fn change_from(&self, cause: &Cause, homes: &[Option<Home<Dual>>]) -> Change {
+        let mut change = self.change_of(&self.origins.positions_from(&cause.shapes, homes));
+        change.constants.copy_from_slice(&cause.constants);
+        for &(slot, factor) in &cause.parameters {
+            change.h[slot] += factor;
+        }
+        change
+    }
+
+    /// Adds what changes when a driver goes so far.
+    pub(super) fn drive(&self, driver: DriverId, way: f64, change: &mut Change) {
+        self.slots().add([(driver, way)], &mut change.h);
+    }
+
+    /// The static states of the sides, with the changes of their numbers, or none.
+    fn homes(&self, changes: &[f64]) -> Vec<Option<Home<Dual>>> {
+        let mut changes = changes.iter();
+        let moving = |station: &Station| {
+            let mut home: Home<Dual> = station.home()?;
+            for number in home.numbers_mut() {
+                number.derivative = changes.next().copied().unwrap_or(0.0);
+            }
+            Some(home)
+        };
+        self.stations.iter().map(moving).collect()
+    }
+
     /// What changes when the shapes of the sides do, each being that of its model with derivatives. Sides are
-    /// in the order of the vehicle, left first.
+    /// in the order of the vehicle, left first. A static state stays.
     pub fn change(&self, shapes: &[Shape<Dual>]) -> Change {
-        let points = self.origins.positions(shapes);
-        let h: Vec<Dual> = self.expansion.parameters(&points);
+        self.change_of(&self.origins.positions(shapes))
+    }
+
+    /// What changes with the design positions of points.
+    fn change_of(&self, points: &[Vector<Dual>]) -> Change {
+        let h: Vec<Dual> = self.expansion.parameters(points);
         Change {
             h: h.into_iter().map(|h| h.derivative).collect(),
             constants: vec![0.0; self.question.constants.len()],
             points: points.iter().map(|point| point.map(|x| x.derivative)).collect(),
+            others: vec![0.0; self.question.others],
         }
     }
 
@@ -236,6 +216,7 @@ impl<'a> Varied<'a> {
             h: vec![0.0; self.expansion.parameter_count()],
             constants: vec![0.0; self.question.constants.len()],
             points: vec![[0.0; 3]; self.origins.len()],
+            others: vec![0.0; self.question.others],
         }
     }
 
@@ -255,74 +236,20 @@ impl<'a> Varied<'a> {
     pub fn moved(&mut self, change: &Change) -> Result<Moved, SensitivityError> {
         let response = self.sensitivity.response(&mut self.frame, change)?;
         let poses = self.poses_of(&response);
-        let Response { state, points, .. } = response;
-        let origins = self.bodies.iter().map(|body| body.origin).collect();
-        Ok(Moved { poses, state, points, origins })
+        Ok(Moved::new(poses, response, self.bodies))
     }
 
-    /// The derivatives of results of the poses by everything that a change has. `results` gives values and
-    /// derivatives for poses; `count` is the number of them.
+    /// Whether the equations that are left out as redundant go with a change.
     ///
     /// # Errors
-    /// [`SensitivityError`].
-    pub fn gradients(
-        &mut self,
-        count: usize,
-        results: impl Fn(&[Pose<Dual>]) -> Vec<f64>,
-    ) -> Result<Vec<Change>, SensitivityError> {
-        let mut seeded = self.sensitivity.still(&self.frame);
-        let mut gradients = vec![Gradient::default(); count];
-        let tangents = seeded.tangents.len();
-        for gradient in &mut gradients {
-            gradient.unknowns = vec![0.0; self.frame.size()];
-            gradient.tangents = vec![vec![0.0; self.frame.size()]; tangents];
-            gradient.direct = self.no_change();
-        }
-        for seed in self.seeds(&seeded) {
-            seed.entry(&mut seeded).derivative = 1.0;
-            let poses = self.poses_of(&seeded);
-            seed.entry(&mut seeded).derivative = 0.0;
-            for (gradient, by) in gradients.iter_mut().zip(results(&poses)) {
-                *seed.place(gradient, &self.frame) = by;
-            }
-        }
-        let Self { sensitivity, frame, .. } = self;
-        let adjoint = |gradient: &Gradient| Ok(sensitivity.adjoint(frame, gradient)?);
-        gradients.iter().map(adjoint).collect()
+    /// [`SensitivityError::Redundant`] where one does not.
+    pub fn check(&self, change: &Change) -> Result<(), SensitivityError> {
+        self.sensitivity.check(&self.frame, change)
     }
 
-    /// The entries of a response that poses depend on.
-    fn seeds(&self, response: &Response) -> Vec<Seed> {
-        let mut bodies: Vec<usize> = self.stations.iter().flat_map(Station::bodies).collect();
-        bodies.sort_unstable();
-        bodies.dedup();
-        bodies.retain(|&body| body != 0);
-        let mut points: Vec<usize> = self.stations.iter().flat_map(Station::points).collect();
-        points.sort_unstable();
-        points.dedup();
-        let travels = self.stations.iter().map(|station| self.equation(station.travel));
-        let rows = travels.filter_map(|e| Some((e, self.frame.multiplier(e)?)));
-        let rows: Vec<(usize, usize)> = rows.collect();
-        let mut seeds = vec![];
-        for &body in &bodies {
-            for k in 0..BODY_COORDINATES {
-                seeds.push(Seed::Coordinate { body, k });
-                let entry = BODY_COORDINATES * (body - 1) + k;
-                let tangents = 0..response.tangents.len();
-                seeds.extend(tangents.map(|tangent| Seed::Tangent { tangent, entry }));
-            }
-        }
-        for (equation, entry) in rows {
-            seeds.push(Seed::Multiplier { equation, entry });
-            let tangents = 0..self.question.drivers.len();
-            seeds.extend(tangents.map(|tangent| Seed::Tangent { tangent, entry }));
-        }
-        for point in points {
-            seeds.extend((0..3).map(|axis| Seed::Point { point, axis }));
-        }
-        let places = self.stations.iter().flat_map(Station::adjusted_parameters);
-        seeds.extend(places.map(|parameter| Seed::Parameter { parameter }));
-        seeds
+    /// An equation of the joints in words.
+    pub fn label(&self, equation: usize) -> &str {
+        self.expansion.label(equation)
     }
 
     fn equation(&self, driver: DriverId) -> usize {
@@ -336,23 +263,29 @@ impl<'a> Varied<'a> {
 
     /// The poses of a response.
     fn poses_of(&self, response: &Response) -> Vec<Pose<Dual>> {
+        let mut drivers = self.drivers.clone();
+        for ((driver, _), way) in self.question.by_force.iter().zip(&response.ways) {
+            drivers[driver.index()].derivative = way.derivative;
+        }
         let view = View {
             bodies: self.bodies,
             points: &response.points,
             state: &response.state,
             h: &response.h,
-            drivers: &self.drivers,
+            drivers: &drivers,
         };
         let tangent = |driver: DriverId| {
             let k = self.question.drivers.iter().position(|&asked| asked == driver)?;
             Some(&response.tangents[k])
         };
+        let changes: Vec<f64> = response.others.iter().map(|other| other.derivative).collect();
+        let homes = self.homes(&changes);
         let compliance = self.compliance(response, &view);
         let pose = |(wheel, station): (usize, &Station)| {
             let equation = self.equation(station.travel);
             let multiplier = self.frame.multiplier(equation);
             let force = multiplier.map(|_| -response.lambda[equation]);
-            let mut pose = station.loaded_pose(&view, force);
+            let mut pose = station.loaded_pose(&view, homes[wheel].as_ref(), force);
             pose.motions = station
                 .motions_by(|driver| station.motion(driver, &view, tangent(driver)?, self.slots()));
             if let (Some(load), Some(row)) = (&mut pose.load, multiplier) {
@@ -392,42 +325,5 @@ impl<'a> Varied<'a> {
             }
         }
         Some(matrix)
-    }
-}
-
-/// An entry of a response that is given a derivative.
-#[derive(Clone, Copy)]
-enum Seed {
-    Coordinate { body: usize, k: usize },
-    Tangent { tangent: usize, entry: usize },
-    Multiplier { equation: usize, entry: usize },
-    Point { point: usize, axis: usize },
-    Parameter { parameter: usize },
-}
-
-impl Seed {
-    fn entry(self, response: &mut Response) -> &mut Dual {
-        match self {
-            Self::Coordinate { body, k } => &mut response.state[body][k],
-            Self::Tangent { tangent, entry } => &mut response.tangents[tangent][entry],
-            Self::Multiplier { equation, .. } => &mut response.lambda[equation],
-            Self::Point { point, axis } => &mut response.points[point][axis],
-            Self::Parameter { parameter } => &mut response.h[parameter],
-        }
-    }
-
-    fn place<'g>(self, gradient: &'g mut Gradient, frame: &Frame<'_>) -> &'g mut f64 {
-        match self {
-            Self::Coordinate { body, k } => {
-                &mut gradient.unknowns[BODY_COORDINATES * (body - 1) + k]
-            }
-            Self::Tangent { tangent, entry } => &mut gradient.tangents[tangent][entry],
-            Self::Multiplier { entry, .. } => {
-                debug_assert!(entry >= frame.unknowns());
-                &mut gradient.unknowns[entry]
-            }
-            Self::Point { point, axis } => &mut gradient.direct.points[point][axis],
-            Self::Parameter { parameter } => &mut gradient.direct.h[parameter],
-        }
     }
 }

@@ -4,9 +4,16 @@
 //! With M the factorised matrix, x = (q, λ) and H = G_h, a change dh of parameters moves the state by
 //! x_d = −M⁻¹ H dh. A tangent x_k solves M x_k = b_k, so it changes by
 //! −M⁻¹ (M_d x_k − b_d), where M_d x_k is found on dual numbers along x_k: see
-//! [`Variation`](crate::assembly::Variation). Direct solutions go from one parameter to all results,
+//! [`Variation`]. Direct solutions go from one parameter to all results,
 //! adjoint ones from one result to all parameters.
 
+mod conditions;
+mod loads;
+
+pub(crate) use conditions::inverse;
+
+use self::conditions::{ByForce, LeftOut, along_driver};
+use self::loads::moved_load;
 use super::border::Border;
 use super::compliance::{WRENCH, coordinates_of, unit_load};
 use super::linear::{LinearSolver, Singular};
@@ -16,7 +23,7 @@ use crate::assembly::{
 use crate::mechanism::{BodyId, DriverId, DriverSlots, Expansion, PointId};
 use crate::relation::{BODY_COORDINATES, Coordinates};
 use crate::scalar::{Dual, Scalar as _};
-use crate::vector::{Vector, add, rotate, sub};
+use crate::vector::{Vector, add, rotate};
 
 /// A state with its factorised matrix.
 pub struct Frame<'a> {
@@ -45,8 +52,12 @@ pub struct Question {
     pub points: Vec<(BodyId, PointId)>,
     /// The equations of drivers that let go in the compliance.
     pub let_go: Vec<usize>,
+    /// The drivers, among those above, that are held by forces instead of at values, with their equations.
+    pub by_force: Vec<(DriverId, usize)>,
     /// The constants of laws that are varied.
     pub constants: Vec<ElementConstant>,
+    /// How many numbers there are that the solver does not know, but results depend on.
+    pub others: usize,
 }
 
 /// A change of what a state depends on.
@@ -58,22 +69,36 @@ pub struct Change {
     pub constants: Vec<f64>,
     /// Of the design positions of points (m).
     pub points: Vec<Vector<f64>>,
+    /// Of numbers that the solver does not know, but results depend on.
+    pub others: Vec<f64>,
 }
 
 impl Change {
     /// The same, so many times as much.
     #[must_use]
     pub fn times(mut self, factor: f64) -> Self {
-        let numbers = self.h.iter_mut().chain(&mut self.constants);
+        let numbers = self.h.iter_mut().chain(&mut self.constants).chain(&mut self.others);
         numbers.chain(self.points.as_flattened_mut()).for_each(|number| *number *= factor);
         self
+    }
+
+    /// Adds another one, `factor` times.
+    fn add(&mut self, factor: f64, other: &Self) {
+        let add = |to: &mut [f64], from: &[f64]| {
+            to.iter_mut().zip(from).for_each(|(to, from)| *to += factor * from);
+        };
+        add(&mut self.h, &other.h);
+        add(&mut self.constants, &other.constants);
+        add(self.points.as_flattened_mut(), other.points.as_flattened());
+        add(&mut self.others, &other.others);
     }
 
     /// The sum of the products of all entries.
     pub fn dot(&self, other: &Self) -> f64 {
         let sum = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
         let points = sum(self.points.as_flattened(), other.points.as_flattened());
-        sum(&self.h, &other.h) + sum(&self.constants, &other.constants) + points
+        let others = sum(&self.others, &other.others);
+        sum(&self.h, &other.h) + sum(&self.constants, &other.constants) + points + others
     }
 }
 
@@ -88,6 +113,10 @@ pub struct Response {
     pub h: Vec<Dual>,
     /// Design positions of all points (m).
     pub points: Vec<Vector<Dual>>,
+    /// How far (m or rad) the drivers that forces hold go; the values are zero.
+    pub ways: Vec<Dual>,
+    /// The numbers that the solver does not know; the values are zero.
+    pub others: Vec<Dual>,
     /// The tangents by the drivers of the question, then those by unit loads: coordinates, then multipliers of
     /// kept equations.
     pub tangents: Vec<Vec<Dual>>,
@@ -100,6 +129,8 @@ pub struct Gradient {
     pub unknowns: Vec<f64>,
     /// By the entries of each tangent.
     pub tangents: Vec<Vec<f64>>,
+    /// By the values of drivers that forces hold, directly.
+    pub ways: Vec<f64>,
     /// By parameters and points directly.
     pub direct: Change,
 }
@@ -117,6 +148,8 @@ pub struct Sensitivity {
     let_go_transposed: Border,
     excess: Vec<f64>,
     at: Dualised,
+    by_force: ByForce,
+    left_out: Vec<LeftOut>,
 }
 
 #[derive(Default)]
@@ -197,6 +230,8 @@ impl Sensitivity {
             let_go_transposed: Border::default(),
             excess: vec![],
             at: Dualised::default(),
+            by_force: ByForce::default(),
+            left_out: vec![],
         }
     }
 
@@ -253,13 +288,8 @@ impl Sensitivity {
             self.tangents[k].cause = Cause::Load { point, component };
             self.evaluate(frame, Some(k));
         }
-        Ok(())
-    }
-
-    /// The body of a loaded point, and the place of the point on it.
-    fn loaded_point(&self, point: usize) -> (BodyId, Vector<f64>) {
-        let (body, point) = self.question.points[point];
-        (body, sub(self.positions[point.index()], self.origins[body.index()]))
+        self.ask_left_out(frame)?;
+        self.ask_by_force(frame)
     }
 
     /// The derivatives of the equations, and their changes along a tangent.
@@ -301,11 +331,15 @@ impl Sensitivity {
         frame: &mut Frame<'_>,
         change: &Change,
     ) -> Result<Response, SensitivityError> {
+        self.check(frame, change)?;
+        let ways = self.ways(change);
+        let mut change = change.clone();
+        let drivers = self.question.by_force.iter().map(|&(driver, _)| driver);
+        frame.slots.add(drivers.zip(ways.iter().copied()), &mut change.h);
         let mut x = vec![0.0; frame.size];
         self.values.by_parameter.add_product(-1.0, &change.h, &mut x);
         self.values.by_constant.add_product(-1.0, &change.constants, &mut x);
         frame.linear.solve_refined(&mut x)?;
-        self.check_left_out(frame, &x, change)?;
         frame.along(&x, &change.h, &mut self.at);
         let state = std::mem::take(&mut self.at.state);
         let mut tangents = Vec::with_capacity(self.tangents.len());
@@ -340,6 +374,8 @@ impl Sensitivity {
             lambda: std::mem::take(&mut self.at.lambda),
             h: std::mem::take(&mut self.at.h),
             points: points.collect(),
+            ways: ways.into_iter().map(|way| Dual::new(0.0, way)).collect(),
+            others: change.others.iter().map(|&other| Dual::new(0.0, other)).collect(),
             tangents,
         })
     }
@@ -353,6 +389,8 @@ impl Sensitivity {
             lambda: std::mem::take(&mut self.at.lambda),
             h: std::mem::take(&mut self.at.h),
             points: self.positions.iter().map(|p| p.map(Dual::from_f64)).collect(),
+            ways: vec![Dual::from_f64(0.0); self.question.by_force.len()],
+            others: vec![Dual::from_f64(0.0); self.question.others],
             tangents: self.tangents.iter().map(|t| t.x.iter().map(still).collect()).collect(),
         }
     }
@@ -371,6 +409,7 @@ impl Sensitivity {
         total.h.resize(frame.h.len(), 0.0);
         total.constants.resize(self.question.constants.len(), 0.0);
         total.points.resize(self.positions.len(), [0.0; 3]);
+        total.others.resize(self.question.others, 0.0);
         let mut state = gradient.unknowns.clone();
         state.resize(frame.size, 0.0);
         for (tangent, by) in self.tangents.iter().zip(&gradient.tangents) {
@@ -391,59 +430,20 @@ impl Sensitivity {
         frame.linear.solve_transposed(&mut state)?;
         self.values.by_parameter.add_transposed_product(-1.0, &state, &mut total.h);
         self.values.by_constant.add_transposed_product(-1.0, &state, &mut total.constants);
+        // What drivers do that go where they have the same forces again.
+        let ByForce { inverse, gradients } = &self.by_force;
+        let count = gradients.len();
+        let direct = gradient.ways.iter().chain(std::iter::repeat(&0.0));
+        let drivers = self.question.by_force.iter().zip(direct);
+        let by_ways: Vec<f64> =
+            drivers.map(|((driver, _), by)| by + along_driver(frame, *driver, &total)).collect();
+        for (column, gradient) in gradients.iter().enumerate() {
+            let by: f64 = (0..count).map(|k| by_ways[k] * inverse[k * count + column]).sum();
+            total.add(-by, gradient);
+        }
         Ok(total)
     }
-
-    /// Adds what a unit load changes by when its body and its point move.
-    fn add_load_gradient(
-        &self,
-        frame: &Frame<'_>,
-        y: &[f64],
-        (point, component): (usize, usize),
-        state: &mut [f64],
-        total: &mut Change,
-    ) {
-        let (body, at) = self.loaded_point(point);
-        let (_, index) = self.question.points[point];
-        let first = coordinates_of(body);
-        let work = |q: &Coordinates<Dual>, at: Vector<Dual>| -> f64 {
-            let force = moved_load(q, at, component);
-            force.iter().zip(&y[first..]).map(|(force, y)| force.derivative * y).sum()
-        };
-        let still = frame.state[body.index()].map(Dual::from_f64);
-        for k in 0..BODY_COORDINATES {
-            let mut q = still;
-            q[k].derivative = 1.0;
-            state[first + k] += work(&q, at.map(Dual::from_f64));
-        }
-        for k in 0..3 {
-            let mut at = at.map(Dual::from_f64);
-            at[k].derivative = 1.0;
-            total.points[index.index()][k] += work(&still, at);
-        }
-    }
-
-    /// Whether the equations that are left out go with a change.
-    fn check_left_out(
-        &self,
-        frame: &Frame<'_>,
-        x: &[f64],
-        change: &Change,
-    ) -> Result<(), SensitivityError> {
-        let mut product = vec![0.0; frame.equations];
-        let mut size = vec![0.0; frame.equations];
-        let Derivatives { left_out_by_unknown, left_out_by_parameter, .. } = &self.values;
-        left_out_by_unknown.add_product(1.0, x, &mut product);
-        left_out_by_parameter.add_product(1.0, &change.h, &mut product);
-        left_out_by_unknown.add_sizes(x, &mut size);
-        left_out_by_parameter.add_sizes(&change.h, &mut size);
-        let broken = (0..frame.equations).find(|&k| product[k].abs() > CONSISTENT * size[k]);
-        broken.map_or(Ok(()), |equation| Err(SensitivityError::Redundant { equation }))
-    }
 }
-
-/// The part of its terms that the change of a left-out equation may have.
-const CONSISTENT: f64 = 1e-7;
 
 /// Why there is no sensitivity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -457,10 +457,4 @@ pub enum SensitivityError {
         /// The equation.
         equation: usize,
     },
-}
-
-/// A unit load at a place of a body that moves.
-fn moved_load(q: &Coordinates<Dual>, at: Vector<Dual>, component: usize) -> Coordinates<Dual> {
-    let place = add([q[0], q[1], q[2]], rotate([q[3], q[4], q[5], q[6]], at));
-    unit_load(q, place, component)
 }

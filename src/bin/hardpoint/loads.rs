@@ -45,6 +45,11 @@ impl RigOptions {
         self.drive.map_or(Drive::WheelCenter, Drive::from)
     }
 
+    /// Whether all joints are rigid.
+    pub fn is_kinematic(&self) -> bool {
+        self.kinematic
+    }
+
     /// Refuses the options for a mechanism, which has no wheel.
     pub fn refuse(&self) -> Result<(), Failure> {
         let given = [

@@ -16,6 +16,7 @@ mod output;
 mod progress;
 mod report;
 mod rig;
+mod sensitivity;
 mod settings;
 mod settle;
 mod steering;
@@ -62,6 +63,7 @@ enum Command {
     Import(import::Import),
     Report(report::Report),
     Rig(rig::Rig),
+    Sensitivity(sensitivity::Sensitivity),
     Settle(settle::Settle),
     Sweep(sweep::Sweep),
     Synthesize(synthesize::Synthesize),
@@ -79,6 +81,7 @@ fn main() -> ExitCode {
         Command::Import(command) => command.run(),
         Command::Report(command) => command.run(),
         Command::Rig(command) => command.run(),
+        Command::Sensitivity(command) => command.run(),
         Command::Settle(command) => command.run(),
         Command::Sweep(command) => command.run(),
         Command::Synthesize(command) => command.run(),

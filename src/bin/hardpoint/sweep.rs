@@ -24,6 +24,7 @@ use crate::progress::Progress;
 use crate::steering::{SteerBy, SteeringOptions};
 use crate::{is_axle, load};
 use over::Over;
+pub use plan::check_plan;
 
 /// Move wheels, the rack, the body, a load or a driver through an event, or go through cases of a file,
 /// and list every state.

@@ -105,16 +105,16 @@ impl Limits {
         for angle in &request.limits.angles {
             let (_, on) = trial.end((angle.link[0].0, angle.on));
             let link = angle.link.map(|end| trial.end(end));
-            let from = match &angle.from {
+            let from = match angle.from {
                 Reference::Between(points) => Reference::Between(
                     points.map(|point| trial.end((PointId(point), BodyId::GROUND)).0.index()),
                 ),
-                other => other.clone(),
+                other => other,
             };
             for target in &angle.states {
                 let state = Some(goals.state(*target));
                 let row = goals.constrain([angle.max.cos(), f64::INFINITY], 0.02 * angle.max.sin());
-                let limit = AngleLimit { link, on, from: from.clone(), ..angle.clone() };
+                let limit = AngleLimit { link, on, from, ..angle.clone() };
                 let kind = Kind::Angle { limit: Box::new(limit) };
                 let most = shown(model, Quantity::Angle, angle.max);
                 let words = format!("{}: at most {most}{}", angle.name, at(target, model));

@@ -2,7 +2,8 @@
 
 use super::Obstacle;
 use crate::assembly::ElementConstant;
-use crate::design::parameter::{Parameter, Resolved};
+use crate::design::parameter::Parameter;
+use crate::design::resolve::Resolved;
 use crate::mechanism::{BodyId, PointId};
 use crate::model::Model;
 use crate::rig::{Moved, Pose, Shape, Target, Variable};
@@ -48,12 +49,11 @@ impl<V: Variable> Trial<V> {
     /// A specimen of a model with what may change of it. `compliance` says whether factors need how wheels give way
     /// to loads.
     pub fn new(specimen: V, model: &Model, parameters: &[Parameter], compliance: bool) -> Self {
-        let resolved: Vec<Resolved> = parameters.iter().map(|p| p.resolve(&specimen)).collect();
+        let resolved: Vec<Resolved> =
+            parameters.iter().map(|p| p.resolve(&specimen, model)).collect();
         let mut constants = vec![];
         for resolved in &resolved {
-            if let Resolved::Constants(own) = resolved {
-                constants.extend(own);
-            }
+            constants.extend(resolved.constants.iter().map(|(constant, _)| *constant));
         }
         Self {
             specimen,
@@ -91,15 +91,10 @@ impl<V: Variable> Trial<V> {
         let parts = self.parameters.iter().zip(&self.resolved).zip(&self.signs);
         for (((parameter, resolved), sign), value) in parts.zip(x) {
             let value = sign * value;
-            match resolved {
-                Resolved::Shape => parameter.place(&self.model, &mut shape, value),
-                Resolved::Constants(own) => {
-                    constants.extend(own.iter().map(|constant| (*constant, value)));
-                }
-                Resolved::Parameters(slots) => {
-                    lengths.extend(slots.iter().map(|&(slot, _)| (slot, value)));
-                }
-            }
+            parameter.place(&self.model, &mut shape, value);
+            let own = resolved.constants.iter();
+            constants.extend(own.map(|&(constant, factor)| (constant, factor * value)));
+            lengths.extend(resolved.parameters.iter().map(|&(slot, _)| (slot, value)));
         }
         for (coordinate, offset) in self.tolerances.iter().zip(offsets) {
             coordinate.shift(&self.model, &mut shape, *offset);
@@ -138,10 +133,12 @@ impl<V: Variable> Trial<V> {
         let mut varied = specimen.vary(constants, *compliance).map_err(Obstacle::State)?;
         if changes.is_empty() {
             let parts = parameters.iter().zip(&*resolved).zip(&*signs);
-            let change = |((parameter, resolved), sign): ((&Parameter, &Resolved), &f64)| {
-                resolved.change(parameter, model, &varied, constants).times(*sign)
-            };
-            *changes = parts.map(change).collect();
+            let mut found = vec![];
+            for ((parameter, resolved), sign) in parts {
+                let change = resolved.change(parameter, model, &mut varied, constants);
+                found.push(change.map_err(Obstacle::Derivative)?.times(*sign));
+            }
+            *changes = found;
         }
         let by = changes.iter().map(|change| varied.moved(change)).collect::<Result<_, _>>();
         Ok(Reached { by: by.map_err(Obstacle::Derivative)? })
@@ -152,8 +149,9 @@ impl<V: Variable> Trial<V> {
         let Self { specimen, model, tolerances, compliance, tolerance_changes: changes, .. } = self;
         let mut varied = specimen.vary(&[], *compliance).map_err(Obstacle::State)?;
         if changes.is_empty() {
-            let change = |p: &Parameter| Resolved::Shape.change(p, model, &varied, &[]);
-            *changes = tolerances.iter().map(change).collect();
+            let moves = |p: &Parameter| Resolved::default().change(p, model, &mut varied, &[]);
+            let found: Result<Vec<Change>, _> = tolerances.iter().map(moves).collect();
+            *changes = found.map_err(Obstacle::Derivative)?;
         }
         let by = changes.iter().map(|change| varied.moved(change)).collect::<Result<_, _>>();
         Ok(Reached { by: by.map_err(Obstacle::Derivative)? })

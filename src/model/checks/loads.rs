@@ -13,8 +13,8 @@ impl Geometry<'_> {
         let architecture = &self.model.architecture;
         let mut trial = Mechanism::new(&architecture.ground);
         // Their names differ and their numbers are finite, or reading would have said so.
-        for point in &self.model.points {
-            let _ = trial.add_point(&point.name, point.position);
+        for (name, position) in self.model.mechanism_points() {
+            let _ = trial.add_point(name, position);
         }
         for body in &architecture.bodies {
             let _ = trial.add_body(&body.name, [0.0; 3]);

@@ -50,16 +50,22 @@ pub(super) fn check(geometry: &Geometry, report: &mut Report) {
 }
 
 impl Geometry<'_> {
+    /// Where a point of the mechanism is.
     fn position(&self, point: PointId) -> [f64; 3] {
-        self.model.points[point.0].position
+        self.mechanism_point(point).1
     }
 
     fn name(&self, point: PointId) -> &str {
-        &self.model.points[point.0].name
+        self.mechanism_point(point).0
     }
 
+    /// Where a point stands in the text; the one for toe and camber is placed by the wheel.
     fn span(&self, point: PointId) -> &Range<usize> {
-        &self.points[point.0]
+        self.points.get(point.0).unwrap_or(&self.radius)
+    }
+
+    fn mechanism_point(&self, point: PointId) -> (&str, [f64; 3]) {
+        self.model.mechanism_points().nth(point.0).expect("the mechanism has the point")
     }
 
     fn coincide(&self, a: PointId, b: PointId) -> bool {

@@ -12,36 +12,58 @@ pub use error::{AdjustError, OutOfReach};
 use super::corner::RigError;
 use super::line::{Line, Wheel};
 use super::pose::Pose;
+use super::settled::Settled;
 use super::stand::Stand;
 use super::station::Station;
 use crate::mechanism::DriverId;
 use crate::model::{AxleSuspension, Chassis, Model, Setup, Side, WheelSupport};
-use crate::vector::{Vector, add, dot, sub};
+use crate::scalar::Scalar;
+use crate::vector::{Vector, add, constant, dot, sub};
 use newton::{Adjustable, Search};
 
 /// Where the parts of a corner are in its static state: what changes are counted from instead of the
 /// design position.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Home {
-    pub wheel: Wheel<f64>,
+pub(super) struct Home<S> {
+    pub wheel: Wheel<S>,
     /// The rotation of the wheel's body from the design position.
-    pub rotation: [[f64; 3]; 3],
-    pub spring: Option<Line<f64>>,
-    pub damper: Option<Line<f64>>,
+    pub rotation: [[S; 3]; 3],
+    pub spring: Option<Line<S>>,
+    pub damper: Option<Line<S>>,
 }
 
-impl Home {
-    fn of(pose: &Pose<f64>) -> Self {
+impl Home<f64> {
+    /// The same on another scalar, at rest.
+    pub fn lifted<S: Scalar>(&self) -> Home<S> {
+        Home {
+            wheel: self.wheel.lifted(),
+            rotation: self.rotation.map(constant),
+            spring: self.spring.map(|line| line.lifted()),
+            damper: self.damper.map(|line| line.lifted()),
+        }
+    }
+}
+
+impl<S: Scalar> Home<S> {
+    pub fn of(pose: &Pose<S>) -> Self {
         let Pose { wheel, rotation, spring, damper, .. } = *pose;
         Self { wheel, rotation, spring, damper }
     }
 
     /// The point of the wheel's body that is the contact patch here, at the design position of the body,
     /// where the wheel centre is at `center`.
-    pub fn patch(&self, center: Vector<f64>) -> Vector<f64> {
+    pub fn patch(&self, center: Vector<S>) -> Vector<S> {
         let arm = sub(self.wheel.contact_patch(), self.wheel.center);
         let column = |k: usize| dot(self.rotation.map(|row| row[k]), arm);
         add(center, [column(0), column(1), column(2)])
+    }
+
+    /// All numbers that can vary, in an order of their own.
+    pub fn numbers_mut(&mut self) -> impl Iterator<Item = &mut S> {
+        let Self { wheel: Wheel { center, spin, .. }, rotation, spring, damper } = self;
+        let lines = spring.iter_mut().chain(damper);
+        let ends = lines.flat_map(|Line { from, to }| from.iter_mut().chain(to));
+        center.iter_mut().chain(spin).chain(rotation.as_flattened_mut()).chain(ends)
     }
 }
 
@@ -64,7 +86,7 @@ pub struct Adjustment {
 
 /// One side of a vehicle in its static state.
 pub(super) struct Set {
-    pub home: Home,
+    pub home: Home<f64>,
     pub adjustments: Vec<Adjustment>,
     values: Vec<f64>,
     travel: f64,
@@ -111,7 +133,7 @@ fn held(setup: &Setup) -> Setup {
 }
 
 /// The static state of a corner; `None` where the model asks for none.
-pub(super) fn corner(model: &Model, setup: &Setup) -> Result<Option<Set>, RigError> {
+pub(super) fn corner(model: &Model, setup: &Setup) -> Result<Option<(Set, Settled)>, RigError> {
     if !model.is_adjusted() {
         return Ok(None);
     }
@@ -123,7 +145,7 @@ pub(super) fn corner(model: &Model, setup: &Setup) -> Result<Option<Set>, RigErr
     let mut search = Search::new(stand, vec![wheel]);
     search.run()?;
     let (values, pose) = search.wheel(0);
-    Ok(Some(Set::new(model, values, &pose)))
+    Ok(Some((Set::new(model, values, &pose), search.settled(&[model]))))
 }
 
 /// The static states of both sides of an axle; `None` where no model asks for one.
@@ -131,7 +153,7 @@ pub(super) fn axle(
     models: [&Model; 2],
     setup: &Setup,
     suspension: impl FnOnce(&Setup) -> Result<AxleSuspension, RigError>,
-) -> Result<Option<[Set; 2]>, RigError> {
+) -> Result<Option<([Set; 2], Settled)>, RigError> {
     if !models.iter().any(|model| model.is_adjusted()) {
         return Ok(None);
     }
@@ -157,5 +179,5 @@ pub(super) fn axle(
         }
         set
     };
-    Ok(Some([set(0), set(1)]))
+    Ok(Some(([set(0), set(1)], search.settled(&models))))
 }

@@ -6,6 +6,7 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 
 use super::super::pose::Pose;
+use super::super::settled::{Settled, SettledGoal};
 use super::super::stand::Stand;
 use super::super::station::Station;
 use super::error::{AdjustError, OutOfReach};
@@ -71,6 +72,19 @@ impl<'a> Search<'a> {
             .map(|part| part.model.adjusters().iter().map(setting).collect())
             .collect();
         Self { stand, wheels, goals, values }
+    }
+
+    /// The static state that was found.
+    pub fn settled(self, models: &[&Model]) -> Settled {
+        let Self { stand, wheels, goals, .. } = self;
+        let goal = |Goal { wheel, target, factor }: Goal| SettledGoal {
+            wheel,
+            factor,
+            driver: wheels[wheel].adjusters[target.by],
+        };
+        let goals: Vec<SettledGoal> = goals.into_iter().map(goal).collect();
+        let stations = wheels.into_iter().map(|part| part.station).collect();
+        Settled::new(stand, stations, models, goals)
     }
 
     /// The values (m) of the adjusters of a wheel, and where it is.

@@ -96,9 +96,6 @@ impl Sweep {
             step: value(self.step, step),
             held: Held { travel, rack, ..Held::default() },
         };
-        if event == Event::Roll && plan.from.abs().max(plan.to.abs()) > MOST_ROLL {
-            return usage("a body that rolls further than 90° lies on its side");
-        }
         if event == Event::Steer && by == SteerBy::Wheel {
             // The rig drives the rack, so a steering wheel is turned by moving that.
             let per_radian = rack_per_radian(model)?;
@@ -106,7 +103,7 @@ impl Sweep {
                 *value *= per_radian;
             }
         }
-        check_states(&plan)?;
+        check_plan(&plan)?;
         Ok((quantity, plan, name))
     }
 
@@ -125,6 +122,14 @@ impl Sweep {
         over.check(plan.event, self.axle, model.steers(), self.vertical.is_force())?;
         over.plans(plan, model.units)
     }
+}
+
+/// Refuses a step that leads nowhere, and a body that rolls onto its side.
+pub fn check_plan(plan: &SweepPlan) -> Result<(), Failure> {
+    if plan.event == Event::Roll && plan.from.abs().max(plan.to.abs()) > MOST_ROLL {
+        return usage("a body that rolls further than 90° lies on its side");
+    }
+    check_states(plan)
 }
 
 /// Refuses a step that leads nowhere or to too many states.
