@@ -225,7 +225,7 @@ fn ask(wish: &Wish) -> Asked {
     if let Some(most) = rim {
         writeln!(
             text,
-            "[rim]\nradius = {}\nwidth = 400.0\n[[clearances]]\nbetween = [\"tierod_outer\", \"rim\"]\n\
+            "[rim]\nradius = {}\nwidth = 900.0\n[[clearances]]\nbetween = [\"tierod_outer\", \"rim\"]\n\
              distance = 5.0\n{at}",
             most + 5.0
         )
