@@ -59,7 +59,8 @@ fn two_coordinates_meet_two_gradients() {
     for ((old, new), name, axis) in [(strut, "strut_upper", 1), (tierod, "tierod_inner", 2)] {
         assert!(old.starts_with(name), "{old}");
         let parts = |line: &str| line.split(", ").map(str::to_owned).collect::<Vec<_>>();
-        let different = parts(old).iter().zip(parts(new)).map(|(old, new)| *old != new).collect::<Vec<_>>();
+        let different =
+            parts(old).iter().zip(parts(new)).map(|(old, new)| *old != new).collect::<Vec<_>>();
         assert_eq!(different.iter().filter(|different| **different).count(), 1);
         assert!(different[axis]);
     }
@@ -93,7 +94,8 @@ fn json_has_all_states_of_what_the_file_gives() {
         let values = states.iter().map(|state| (state[key].as_f64().unwrap() - 0.1).abs());
         values.fold(0.0, f64::max)
     };
-    let close = |a: &serde_json::Value, b: f64| assert!((a.as_f64().unwrap().abs() - b).abs() < 1e-9);
+    let close =
+        |a: &serde_json::Value, b: f64| assert!((a.as_f64().unwrap().abs() - b).abs() < 1e-9);
     close(&curve["off_before"]["largest"], largest("before"));
     close(&curve["off_after"]["largest"], largest("after"));
     // What has moved is what the file says, with the bounds kept.
@@ -140,8 +142,12 @@ fn conflicts_are_stated_and_nothing_is_written() {
     insta::assert_snapshot!(stderr(&done));
     assert_eq!(stdout(&done), "");
     assert!(!fs::exists(new).unwrap());
-    let report: serde_json::Value = serde_json::from_str(&fs::read_to_string(report).unwrap()).unwrap();
-    assert_eq!((&report["verdict"]["kind"], &report["file"]), (&"conflict".into(), &serde_json::Value::Null));
+    let report: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(report).unwrap()).unwrap();
+    assert_eq!(
+        (&report["verdict"]["kind"], &report["file"]),
+        (&"conflict".into(), &serde_json::Value::Null)
+    );
     assert_eq!(report["verdict"]["between"].as_array().unwrap().len(), 2);
     assert_eq!(report["targets"][0]["states"][0]["after"], serde_json::Value::Null);
 }
@@ -198,7 +204,8 @@ fn wrong_files_and_options_are_told() {
     assert!(told(&[SEDAN, "none.toml"], 1).contains("none.toml"));
     let mechanism = told(&["models/four-bar.toml", &path], 1);
     assert!(mechanism.contains("mechanism"), "{mechanism}");
-    let stop = targets(&OUT_OF_REACH.replace("value = 300.0", "value = 300.0\nat = { travel = 600.0 }"));
+    let stop =
+        targets(&OUT_OF_REACH.replace("value = 300.0", "value = 300.0\nat = { travel = 600.0 }"));
     let stop = told(&[SEDAN, &stop.1], 3);
     assert!(stop.contains("was not reached"), "{stop}");
 }
@@ -240,10 +247,14 @@ fn roll_is_about_the_axis_of_the_design() {
     let sweep = json(&[&["sweep", new], &sweep[..], &["--columns", "toe"]].concat());
     let states = found["targets"][0]["states"].as_array().unwrap();
     for (state, row) in states.iter().zip(sweep["rows"].as_array().unwrap()) {
-        let (own, swept) = (state["after"].as_f64().unwrap(), row["left_toe_deg"].as_f64().unwrap());
+        let (own, swept) =
+            (state["after"].as_f64().unwrap(), row["left_toe_deg"].as_f64().unwrap());
         assert!((own - swept).abs() < 1e-9, "{own} {swept}");
         let before = state["before"].as_f64().unwrap();
         let at = state["at"].as_f64().unwrap();
-        assert!(at == 0.0 || (own - 0.1).abs() < 0.5 * (before - 0.1).abs(), "{at}: {before} {own}");
+        assert!(
+            at == 0.0 || (own - 0.1).abs() < 0.5 * (before - 0.1).abs(),
+            "{at}: {before} {own}"
+        );
     }
 }

@@ -13,7 +13,8 @@ fn commands(text: &str) -> Vec<(Vec<String>, i32)> {
     let lines = blocks.flat_map(|block| block.split("```").next().unwrap().lines());
     let command = |line: &str| {
         let (command, comment) = line.split_once('#').unwrap_or((line, ""));
-        let code = comment.trim().strip_prefix("exit code ").map_or(0, |code| code.parse().unwrap());
+        let code =
+            comment.trim().strip_prefix("exit code ").map_or(0, |code| code.parse().unwrap());
         (command.split_whitespace().map(str::to_owned).collect(), code)
     };
     lines.map(command).collect()
@@ -64,7 +65,8 @@ fn guides_show_the_requests_as_they_are() {
         let path = entry.unwrap().path();
         let text = fs::read_to_string(&path).unwrap();
         for block in text.split("```toml\n").skip(1) {
-            let lines: Vec<String> = block.split("```").next().unwrap().lines().map(plain).collect();
+            let lines: Vec<String> =
+                block.split("```").next().unwrap().lines().map(plain).collect();
             let has = |request: &&Vec<String>| lines.iter().all(|line| request.contains(line));
             assert!(known.iter().find(has).is_some(), "{}:\n{}", path.display(), lines.join("\n"));
         }

@@ -1,9 +1,7 @@
 //! What is read of requests.
 #![allow(missing_docs)]
 
-use hardpoint::design::request::{
-    Goal, Parameter, Part, Reference, Relation, Request, Stiffness,
-};
+use hardpoint::design::request::{Goal, Parameter, Part, Reference, Relation, Request, Stiffness};
 use hardpoint::factors::Convention;
 use hardpoint::mechanism::BodyId;
 use hardpoint::model::{Model, Side};

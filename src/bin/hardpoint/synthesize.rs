@@ -30,7 +30,7 @@ Without -o no model is written. Where targets are not met within their tolerance
 
 Examples:
   hardpoint synthesize models/double-wishbone.toml requests/bump-steer-zero.toml -o new.toml
-  hardpoint synthesize models/double-wishbone.toml requests/bump-steer-and-camber.toml --format json
+  hardpoint synthesize models/macpherson.toml requests/bump-steer-and-camber.toml --format json
   hardpoint synthesize models/macpherson.toml requests/roll-centre.toml -o new.toml --report changes.txt")]
 pub struct Synthesize {
     /// The model file.

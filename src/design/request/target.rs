@@ -238,10 +238,8 @@ fn goal(
                 _ => &["travel"],
             };
             let own = [factor.map_or("", |factor| factor.name)];
-            let columns = [
-                Column { names, quantity: course.quantity },
-                Column { names: &own, quantity },
-            ];
+            let columns =
+                [Column { names, quantity: course.quantity }, Column { names: &own, quantity }];
             let Some(rows) = curve::read(section, &columns, context, report) else {
                 return (None, None);
             };

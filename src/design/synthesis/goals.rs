@@ -100,7 +100,11 @@ impl Goals {
 
     /// A constraint with the residual whose weight was added last.
     fn hard(&mut self, limits: [f64; 2], typical: f64) -> Kind {
-        Kind::Hard { row: self.constrain(limits, typical), residual: self.weights.len() - 1, limits }
+        Kind::Hard {
+            row: self.constrain(limits, typical),
+            residual: self.weights.len() - 1,
+            limits,
+        }
     }
 
     /// Adds a constraint and returns its row.

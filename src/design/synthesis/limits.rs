@@ -30,8 +30,8 @@ pub(super) struct Limit {
 
 #[derive(Clone, Debug)]
 pub(super) enum Kind {
-    /// The sum of squares of changes of these variables (m²).
-    Movement(Vec<usize>),
+    /// The sum of squares of changes of these variables (m²), and the most that its root may be (m).
+    Movement { variables: Vec<usize>, most: f64 },
     /// A sum of variables with factors.
     Tie(Vec<(usize, f64)>),
     /// A coordinate of a point, along an axis of ISO 8855.
@@ -141,7 +141,7 @@ impl Limits {
             }
             let row = goals.constrain([f64::NEG_INFINITY, most * most], most * most);
             let words = format!("{name}: at most {}", shown(model, Quantity::Length, most));
-            let (words, kind) = ([words.clone(), words], Kind::Movement(variables));
+            let (words, kind) = ([words.clone(), words], Kind::Movement { variables, most });
             self.list.push(Limit { row, words, state: None, kind });
         };
         if let Some(most) = request.limits.movement {
@@ -154,13 +154,23 @@ impl Limits {
         }
     }
 
+    /// Pulls a design towards the model until no point has moved too far.
+    pub fn pull(&self, x: &mut [f64]) {
+        for limit in &self.list {
+            let Kind::Movement { variables, most } = &limit.kind else { continue };
+            let way = variables.iter().map(|&k| (x[k] - self.start[k]).powi(2)).sum::<f64>().sqrt();
+            let part = (most / way).min(1.0);
+            variables.iter().for_each(|&k| x[k] = self.start[k] + part * (x[k] - self.start[k]));
+        }
+    }
+
     /// Writes the constraints that parameters alone decide.
     pub fn evaluate_parameters(&self, x: &[f64], out: &mut Evaluation) {
         let n = x.len();
         for limit in &self.list {
             let jacobian = &mut out.constraint_jacobian[limit.row * n..][..n];
             match &limit.kind {
-                Kind::Movement(variables) => {
+                Kind::Movement { variables, .. } => {
                     let way = |&k: &usize| x[k] - self.start[k];
                     out.constraints[limit.row] = variables.iter().map(|k| way(k).powi(2)).sum();
                     variables.iter().for_each(|k| jacobian[*k] = 2.0 * way(k));
@@ -190,7 +200,7 @@ impl Limits {
 
     fn value(&self, kind: &Kind, wheel: usize, moved: &Moved) -> Option<Dual> {
         Some(match kind {
-            Kind::Movement(_) | Kind::Tie(_) => return None,
+            Kind::Movement { .. } | Kind::Tie(_) => return None,
             Kind::Box { end, axis } => moved.point(*end)[*axis],
             Kind::Clearance(clearance) => match clearance.between {
                 [Part::Link(a), Part::Link(b)] => between_segments(moved.ends(a), moved.ends(b)),

@@ -56,7 +56,12 @@ impl<'a, V: Variable> Task<'a, V> {
         let limits = Limits::of(request, model, &trial, &mut goals);
         let variable = |variable: &crate::design::request::Variable| {
             let [lower, upper] = variable.bounds;
-            sqp::Variable { lower, upper, typical: TYPICAL * (upper - lower) }
+            // Where points may not go far, the search should not begin with longer steps.
+            let movements = [request.limits.movement, request.limits.total_movement];
+            let movements = movements.into_iter().flatten();
+            let movements = movements.filter(|_| variable.parameter.point().is_some());
+            let range = movements.fold(upper - lower, |range, most| range.min(2.0 * most));
+            sqp::Variable { lower, upper, typical: TYPICAL * range }
         };
         let mut weights = goals.weights.clone();
         weights.extend(request.variables.iter().map(|_| STILLNESS));

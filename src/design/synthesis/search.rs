@@ -11,6 +11,9 @@ use crate::rig::Variable;
 /// Targets count as met where none is off by more than this part of its tolerance.
 const MET: f64 = 1e-6;
 
+/// A constraint is kept where it is violated by no more than this part of its typical change.
+pub(super) const KEPT: f64 = 1e-6;
+
 /// The best design that was found, and the way to it.
 pub(super) struct Found {
     pub outcome: Outcome,
@@ -60,7 +63,44 @@ pub(super) fn settle<V: Variable>(
         ..Settings::default()
     };
     let statement = task.statement.clone();
-    solve(task, &statement, start, &settings).map_err(Obstacle::Statement)
+    let outcome = solve(task, &statement, start, &settings).map_err(Obstacle::Statement)?;
+    match outcome.status {
+        Status::Stalled(kkt) | Status::Iterations(kkt) if kkt.violation > KEPT => {
+            restore(task, outcome, &settings)
+        }
+        _ => Ok(outcome),
+    }
+}
+
+/// Looks for a design that keeps all limits without regard to the targets that are no constraints, which pull a search to
+/// and fro between limits that contradict each other. It ends in that contradiction, or in a design from which
+/// the search goes on.
+fn restore<V: Variable>(
+    task: &mut Task<'_, V>,
+    from: Outcome,
+    settings: &Settings,
+) -> Result<Outcome, Obstacle> {
+    let statement = task.statement.clone();
+    let mut limits_alone = statement.clone();
+    limits_alone.weights.fill(0.0);
+    let factors = std::mem::take(&mut task.goals.factors);
+    task.goals.factors = vec![0.0; factors.len()];
+    let kept = solve(task, &limits_alone, &from.x, settings);
+    task.goals.factors = factors;
+    let mut kept = kept.map_err(Obstacle::Statement)?;
+    kept.evaluations += from.evaluations;
+    match &kept.status {
+        Status::Infeasible(_) => Ok(kept),
+        Status::Converged(kkt) | Status::Stalled(kkt) | Status::Iterations(kkt)
+            if kkt.violation <= KEPT =>
+        {
+            let mut found =
+                solve(task, &statement, &kept.x, settings).map_err(Obstacle::Statement)?;
+            found.evaluations += kept.evaluations;
+            Ok(found)
+        }
+        _ => Ok(Outcome { evaluations: kept.evaluations, ..from }),
+    }
 }
 
 impl Found {
@@ -87,7 +127,10 @@ fn starts<V: Variable>(request: &Request, task: &Task<'_, V>) -> Vec<Vec<f64>> {
     }
     let place = |point: Vec<f64>| {
         let parts = point.iter().zip(variables);
-        parts.map(|(part, v)| v.lower + part * (v.upper - v.lower)).collect()
+        let mut point: Vec<f64> =
+            parts.map(|(part, v)| v.lower + part * (v.upper - v.lower)).collect();
+        task.limits.pull(&mut point);
+        point
     };
     sequence.take(count).map(place).collect()
 }
@@ -96,7 +139,7 @@ fn starts<V: Variable>(request: &Request, task: &Task<'_, V>) -> Vec<Vec<f64>> {
 fn rank(outcome: &Outcome) -> (u8, f64) {
     match &outcome.status {
         Status::Converged(_) => (0, outcome.objective),
-        Status::Stalled(kkt) | Status::Iterations(kkt) if kkt.violation < 1e-6 => {
+        Status::Stalled(kkt) | Status::Iterations(kkt) if kkt.violation <= KEPT => {
             (0, outcome.objective)
         }
         // What contradicts itself says more than a search that has not ended.

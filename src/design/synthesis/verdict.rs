@@ -2,6 +2,7 @@
 
 use super::goals::Kind;
 use super::problem::Task;
+use super::search::KEPT;
 use crate::design::request::{Request, short, state_words};
 use crate::design::sqp::{ActiveSide, Evaluation, Member, Outcome, Problem as _, Status};
 use crate::model::Model;
@@ -39,8 +40,12 @@ pub enum Verdict {
         /// Why.
         reason: String,
     },
-    /// The iterations ended before a design was found that keeps all limits.
-    Unfinished,
+    /// The iterations ended before a design was found that keeps all limits, or before it was clear which of them
+    /// contradict each other.
+    Unfinished {
+        /// What the nearest design does not keep, in words, the worst first.
+        broken: Vec<String>,
+    },
 }
 
 /// A target that is not met.
@@ -71,19 +76,37 @@ pub(super) fn verdict<V: Variable>(
     outcome: &Outcome,
     after: &[Vec<Option<f64>>],
 ) -> Verdict {
-    let kept = |violation: f64| violation <= 1e-6;
+    let kept = |violation: f64| violation <= KEPT;
     match &outcome.status {
         Status::EvaluationFailed(failure) => Verdict::Unreachable { reason: failure.to_string() },
         Status::Infeasible(conflict) => Verdict::Conflict {
             between: conflict.members.iter().map(|m| member(request, model, task, *m)).collect(),
         },
         Status::Stalled(kkt) | Status::Iterations(kkt) if !kept(kkt.violation) => {
-            Verdict::Unfinished
+            Verdict::Unfinished { broken: broken(request, model, task, outcome) }
         }
         Status::Converged(_) | Status::Stalled(_) | Status::Iterations(_) => {
             judge(request, &task.before, after)
         }
     }
+}
+
+/// The constraints that a design breaks, in words.
+fn broken<V: Variable>(
+    request: &Request,
+    model: &Model,
+    task: &Task<'_, V>,
+    outcome: &Outcome,
+) -> Vec<String> {
+    let rows = task.statement.constraints.iter().zip(&outcome.constraints).enumerate();
+    let broken = rows.map(|(row, (constraint, value))| {
+        let (below, above) = (constraint.lower - value, value - constraint.upper);
+        let side = if above > below { ActiveSide::Upper } else { ActiveSide::Lower };
+        (below.max(above) / constraint.typical, Member::Constraint(row, side))
+    });
+    let mut broken: Vec<(f64, Member)> = broken.filter(|(by, _)| *by > KEPT).collect();
+    broken.sort_by(|a, b| b.0.total_cmp(&a.0));
+    broken.into_iter().map(|(_, limit)| member(request, model, task, limit)).collect()
 }
 
 /// Whether a design that keeps all limits meets all targets. `before` has the factors (SI) of the model and `after` those
@@ -98,11 +121,7 @@ pub fn judge(
 }
 
 /// The targets that are off by more than their tolerance.
-fn unmet(
-    request: &Request,
-    before: &[Vec<Option<f64>>],
-    after: &[Vec<Option<f64>>],
-) -> Vec<Unmet> {
+fn unmet(request: &Request, before: &[Vec<Option<f64>>], after: &[Vec<Option<f64>>]) -> Vec<Unmet> {
     let mut list = vec![];
     for (index, target) in request.targets.iter().enumerate() {
         let off = |k: usize, value: Option<f64>| {

@@ -63,7 +63,7 @@ impl SynthesisReport<'_> {
             Verdict::Compromise { .. } => "compromise",
             Verdict::Conflict { .. } => "conflict",
             Verdict::Unreachable { .. } => "unreachable",
-            Verdict::Unfinished => "unfinished",
+            Verdict::Unfinished { .. } => "unfinished",
         };
         let unmet = match self.verdict {
             Verdict::Compromise { unmet } => &unmet[..],
@@ -81,11 +81,16 @@ impl SynthesisReport<'_> {
             Verdict::Conflict { between } => &between[..],
             _ => &[],
         };
+        let broken = match self.verdict {
+            Verdict::Unfinished { broken } => &broken[..],
+            _ => &[],
+        };
         json!({
             "kind": kind,
             "words": self.verdict_words(),
             "unmet": unmet.collect::<Vec<_>>(),
             "between": between,
+            "broken": broken,
         })
     }
 
@@ -140,7 +145,9 @@ impl SynthesisReport<'_> {
         let show = |value: f64| rounded(target.show(units, value));
         let spread = |values: Option<&[Option<f64>]>| {
             let found = values.and_then(|values| self.spread(index, values));
-            found.map(|Spread { largest, rms }| json!({ "largest": show(largest), "rms": show(rms) }))
+            found.map(
+                |Spread { largest, rms }| json!({ "largest": show(largest), "rms": show(rms) }),
+            )
         };
         let (goal, band) = match &target.goal {
             Goal::Values(_) => ("value", [None; 2]),

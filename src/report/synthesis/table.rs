@@ -77,7 +77,7 @@ impl SynthesisReport<'_> {
             ]
         });
         let heads = ["Targets", "unit", "before", "wanted", "after", "tolerance", ""];
-        aligned(writer, heads, rows.collect())
+        aligned(writer, heads, &rows.collect::<Vec<_>>())
     }
 
     /// Targets at several states: how far they are off.
@@ -116,7 +116,7 @@ impl SynthesisReport<'_> {
             "tolerance",
             "",
         ];
-        aligned(writer, heads, rows.collect())
+        aligned(writer, heads, &rows.collect::<Vec<_>>())
     }
 
     /// What the factors are and what their signs mean.
@@ -152,7 +152,7 @@ impl SynthesisReport<'_> {
             let (name, unit) = (variable.name.clone(), quantity.symbol(units));
             rows.push(vec![name, unit, show(before), show(after), change]);
         }
-        aligned(writer, ["What changed", "unit", "before", "after", "change"], rows)?;
+        aligned(writer, ["What changed", "unit", "before", "after", "change"], &rows)?;
         if !unchanged.is_empty() {
             writeln!(writer, "\nNot changed: {}", unchanged.join(", "))?;
         }
@@ -165,7 +165,7 @@ impl SynthesisReport<'_> {
             let together = moved.iter().map(|point| point.distance.powi(2)).sum::<f64>().sqrt();
             rows.push(row("all together, root of the sum of squares", together));
         }
-        aligned(writer, ["Points moved", "unit", "distance"], rows)
+        aligned(writer, ["Points moved", "unit", "distance"], &rows)
     }
 
     /// Bounds and limits on which the design lies.
@@ -177,8 +177,8 @@ impl SynthesisReport<'_> {
             let cost = if held.cost < NO_COST { "0".to_owned() } else { short(held.cost) };
             vec![held.name.clone(), cost]
         };
-        let rows = self.found.held.iter().map(row).collect();
-        aligned(writer, ["Bounds and limits that hold the design", "cost"], rows)?;
+        let rows: Vec<_> = self.found.held.iter().map(row).collect();
+        aligned(writer, ["Bounds and limits that hold the design", "cost"], &rows)?;
         writeln!(
             writer,
             "\ncost: by about how much half the sum of squares of weighted differences in tolerances would fall if \
@@ -207,7 +207,7 @@ impl SynthesisReport<'_> {
         });
         let heads = targets.map(|target| format!("{} [{}]", target.name, target.unit(units)));
         let heads = ["Trade-off", &heads[0], "off", &heads[1], "off"];
-        aligned(writer, heads, rows.collect())?;
+        aligned(writer, heads, &rows.collect::<Vec<_>>())?;
         writeln!(
             writer,
             "\noff: root of the mean square of differences in tolerances, times the weight; of what is to be small or \
@@ -237,7 +237,7 @@ impl SynthesisReport<'_> {
             row
         });
         let heads = ["Standard deviation under tolerances", "unit", "before", "after", "sampled"];
-        aligned(writer, heads, rows.collect())?;
+        aligned(writer, heads, &rows.collect::<Vec<_>>())?;
         writeln!(
             writer,
             "\nbefore, after: to first order; sampled: of {} random designs around the new one; a tolerance is three \
@@ -271,7 +271,7 @@ impl SynthesisReport<'_> {
 fn aligned<const N: usize>(
     writer: &mut impl io::Write,
     heads: [&str; N],
-    rows: Vec<Vec<String>>,
+    rows: &[Vec<String>],
 ) -> io::Result<()> {
     if rows.is_empty() {
         return Ok(());
@@ -284,7 +284,7 @@ fn aligned<const N: usize>(
         .collect();
     let heads: Vec<String> = heads.iter().map(|head| (*head).to_owned()).collect();
     writeln!(writer)?;
-    for row in std::iter::once(&heads).chain(&rows) {
+    for row in std::iter::once(&heads).chain(rows) {
         let mut line = format!("{:<width$}", row[0], width = widths[0]);
         for (k, (field, width)) in row.iter().zip(&widths).enumerate().skip(1) {
             line += "  ";

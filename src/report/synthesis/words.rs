@@ -28,8 +28,9 @@ impl SynthesisReport<'_> {
                     1 => "the target is missed".to_owned(),
                     _ => format!("{} of {count} targets are missed", unmet.len()),
                 };
-                let mut words =
-                    format!("{what}; this is the best design that was found, and it keeps all limits\n");
+                let mut words = format!(
+                    "{what}; this is the best design that was found, and it keeps all limits\n"
+                );
                 for unmet in unmet {
                     let target = &self.request.targets[unmet.target];
                     let units = self.model.units;
@@ -60,10 +61,15 @@ impl SynthesisReport<'_> {
             Verdict::Unreachable { reason } => {
                 format!("designs around the best one could not be evaluated: {reason}\n")
             }
-            Verdict::Unfinished => {
-                "the iterations ended before a design was found that keeps all limits; give it more `iterations` \
-                 or `starts` in [search], or widen the limits\n"
-                    .to_owned()
+            Verdict::Unfinished { broken } => {
+                let mut words =
+                    "no design was found that keeps all limits; the nearest breaks these:\n"
+                        .to_owned();
+                for limit in broken {
+                    words += &format!("  {limit}\n");
+                }
+                words += "widen them or others, let more change, or give it more `iterations` or `starts` in [search]\n";
+                words
             }
         }
     }
@@ -135,9 +141,9 @@ pub(super) fn event_name(event: Event) -> String {
 pub(super) fn quantity(event: Event) -> Quantity {
     match event {
         Event::Roll => Quantity::Angle,
-        Event::Load(component) | Event::LoadOpposed(component) | Event::LoadSingle(component, _) => {
-            CaseInput::Load(component, None).quantity()
-        }
+        Event::Load(component)
+        | Event::LoadOpposed(component)
+        | Event::LoadSingle(component, _) => CaseInput::Load(component, None).quantity(),
         _ => Quantity::Length,
     }
 }
