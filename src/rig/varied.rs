@@ -135,7 +135,7 @@ impl<'a> Varied<'a> {
         })
     }
 
-    /// As [`Variable::reshape`].
+    /// As [`Variable::reshape`](super::Variable::reshape).
     pub(super) fn reshape(
         stand: &mut Stand,
         stations: &[Station],
@@ -155,7 +155,7 @@ impl<'a> Varied<'a> {
         Ok(())
     }
 
-    /// As [`Variable::both_sides`].
+    /// As [`Variable::both_sides`](super::Variable::both_sides).
     pub fn both_sides<S: Scalar>(&self, model: &Model, shape: Shape<S>) -> Vec<Shape<S>> {
         both_sides(self.stations.len(), model, shape)
     }
