@@ -100,7 +100,11 @@ range = 20.0
     let sampled = spread.sampled.unwrap();
     // The deviation of a deviation from 2000 samples is 1.6 %.
     assert!((sampled / spread.after - 1.0).abs() < 0.06, "{spread:?}");
-    assert_ne!(found.verdict, Verdict::Unfinished);
+    assert!(
+        matches!(found.verdict, Verdict::Met | Verdict::Compromise { .. }),
+        "{:?}",
+        found.verdict
+    );
     // Without any weight on its spread the factor spreads more.
     let without = seek(&request.replace("weight = 3.0", "weight = 1e-6"));
     assert!(spread.after < without.spread[0].after, "{spread:?} {:?}", without.spread);
