@@ -32,6 +32,12 @@ fn so_have_the_numbers_of_the_static_state() {
     check(&Case::axle("sedan-setup").at(12.0, 4.0, 3.0).by(&names), 20);
 }
 
+/// A tie rod that is set longer than its points say grows along a line that turns with them.
+#[test]
+fn so_have_the_points_that_give_an_adjuster_its_direction() {
+    check(&Case::new("sedan-setup").by(&["tierod", "lca_outer", "uca_outer"]), 12);
+}
+
 #[test]
 fn so_has_one_without_forces() {
     let adjusters = "

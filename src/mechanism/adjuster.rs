@@ -10,7 +10,6 @@ use super::error::MechanismError;
 use super::expansion::{Expansion, Owner};
 use super::recipe::Recipe;
 use super::topology::{BodyId, Direction, Driver, DriverId, DriverKind, JointKind, PointId};
-use crate::vector::{scale, unit};
 
 /// What the value (m) of an adjuster is added to.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,21 +90,37 @@ impl Expansion {
                 last.map(|slot| (slot, 1.0)).collect()
             }
             Adjuster::Place { of, along } => {
-                let vector = mechanism.vector(*along);
-                let largest = vector.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
-                let along = unit(scale(1.0 / largest, vector));
-                let mut slots = vec![];
-                for (owner, body) in of {
-                    for parameters in self.parts(*owner) {
-                        for slot in self.places_on(*body, &parameters) {
-                            slots.extend((0..3).map(|k| (slot + k, along[k])));
-                        }
-                    }
-                }
+                let along = along.at(&mechanism.positions());
+                let places = self.moved_places(of).into_iter();
+                let mut slots: Vec<(usize, f64)> =
+                    places.flat_map(|slot| (0..3).map(move |k| (slot + k, along[k]))).collect();
                 slots.retain(|(_, factor)| *factor != 0.0);
                 slots
             }
         }
+    }
+
+    /// The parameters of the adjusters whose directions lie between points: the adjuster, its direction, and the
+    /// first ones of the three parameters of each place that it moves. When the points move, so does what it adds.
+    pub fn directed_adjusters(
+        &self,
+        mechanism: &Mechanism,
+    ) -> Vec<(DriverId, Direction, Vec<usize>)> {
+        let directed = |(driver, adjuster): &(DriverId, Adjuster)| match adjuster {
+            Adjuster::Place { of, along: along @ Direction::Between(..) } => {
+                Some((*driver, *along, self.moved_places(of)))
+            }
+            _ => None,
+        };
+        mechanism.adjusters.iter().filter_map(directed).collect()
+    }
+
+    /// Where the places on bodies are among the parameters.
+    fn moved_places(&self, of: &[(Owner, BodyId)]) -> Vec<usize> {
+        let of_owner = |(owner, body): &(Owner, BodyId)| -> Vec<usize> {
+            self.parts(*owner).flat_map(|parameters| self.places_on(*body, &parameters)).collect()
+        };
+        of.iter().flat_map(of_owner).collect()
     }
 
     /// The first of the three parameters that say where a point is on a body, where an adjuster moves

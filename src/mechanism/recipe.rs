@@ -53,7 +53,7 @@ impl Normals {
 
     /// Two unit vectors that form a right-handed triad with the axis as third.
     fn pair<S: Scalar>(self, positions: &[Vector<S>]) -> [Vector<S>; 2] {
-        let axis = direction(self.axis, positions);
+        let axis = self.axis.at(positions);
         let mut reference = [0.0; 3];
         reference[self.reference] = 1.0;
         let first = unit(cross(constant(reference), axis));
@@ -82,7 +82,7 @@ impl Recipe {
                 out.extend(sub(positions[point.0], constant(origin)));
             }
             Self::Constant(vector) => out.extend(constant::<S>(vector)),
-            Self::Axis(axis) => out.extend(direction(axis, positions)),
+            Self::Axis(axis) => out.extend(axis.at(positions)),
             Self::FirstNormal(normals) => out.extend(normals.pair(positions)[0]),
             Self::SecondNormal(normals) => out.extend(normals.pair(positions)[1]),
             Self::Number(number) => out.push(S::from_f64(number)),
@@ -94,7 +94,7 @@ impl Recipe {
             Self::PatchHeight { center, spin, radius } => {
                 // The normal of the disc has length one, so the disc reaches down
                 // by its radius times the cosine of the camber angle.
-                let spin = direction(spin, positions);
+                let spin = spin.at(positions);
                 let drop = (spin[0] * spin[0] + spin[1] * spin[1]).sqrt();
                 out.push(positions[center.0][2] - S::from_f64(radius) * drop);
             }
@@ -105,19 +105,22 @@ impl Recipe {
 impl Triad {
     /// The axes x, y and z for the given positions of the points.
     pub(crate) fn at<S: Scalar>(self, positions: &[Vector<S>]) -> [Vector<S>; 3] {
-        let x = direction(self.x, positions);
-        let y = unit(cross(direction(self.z, positions), x));
+        let x = self.x.at(positions);
+        let y = unit(cross(self.z.at(positions), x));
         [x, y, cross(x, y)]
     }
 }
 
-fn direction<S: Scalar>(direction: Direction, positions: &[Vector<S>]) -> Vector<S> {
-    match direction {
-        Direction::Between(from, to) => unit(sub(positions[to.0], positions[from.0])),
-        Direction::Fixed(vector) => {
-            // Dividing by the largest component first keeps tiny and huge vectors exact.
-            let largest = vector.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
-            constant(unit(vector.map(|component| component / largest)))
+impl Direction {
+    /// Its unit vector for the given positions of the points.
+    pub fn at<S: Scalar>(self, positions: &[Vector<S>]) -> Vector<S> {
+        match self {
+            Self::Between(from, to) => unit(sub(positions[to.0], positions[from.0])),
+            Self::Fixed(vector) => {
+                // Dividing by the largest component first keeps tiny and huge vectors exact.
+                let largest = vector.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+                constant(unit(vector.map(|component| component / largest)))
+            }
         }
     }
 }

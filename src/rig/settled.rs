@@ -95,9 +95,14 @@ impl Settled {
         let drivers = other.mechanism().driver_ids();
         let drivers: Vec<DriverId> = drivers.collect();
         let ways = numbers.into_iter().map(|number| drivers[number]).collect();
+        let of_driver = |driver: DriverId| {
+            let name = stand.mechanism().drivers()[driver.index()].name.clone();
+            (name, stand.driver_value(driver))
+        };
+        let settings = stand.mechanism().driver_ids().map(of_driver).collect();
         let varied = Varied::of(stand, stations, origins, &constants, false, None)?;
         let mut settling =
-            Settling { varied, goals, drivers: ways, inverse: vec![], homes: vec![] };
+            Settling { varied, goals, drivers: ways, settings, inverse: vec![], homes: vec![] };
         settling.find_adjusters()?;
         Ok(settling)
     }
@@ -109,6 +114,8 @@ pub(super) struct Settling<'a> {
     goals: &'a [SettledGoal],
     /// The adjusters of the goals in the mechanism on the rig.
     pub drivers: Vec<DriverId>,
+    /// The values (m or rad) of all drivers by their names.
+    settings: Vec<(String, f64)>,
     /// The inverse of the derivatives of the goals (rows) by their adjusters (columns), row by row.
     inverse: Vec<f64>,
     /// The derivatives of the static places by each adjuster.
@@ -138,6 +145,11 @@ impl Settling<'_> {
         }
         self.inverse = crate::solve::sensitivity::inverse(&slopes, count)?;
         Ok(())
+    }
+
+    /// The value (m or rad) of a driver.
+    pub fn setting(&self, name: &str) -> Option<f64> {
+        self.settings.iter().find(|(known, _)| known == name).map(|(_, value)| *value)
     }
 
     /// The derivatives of the goals along a change.

@@ -14,7 +14,7 @@ use super::station::Station;
 use super::variable::{VaryError, both_sides};
 use super::view::View;
 use crate::assembly::ElementConstant;
-use crate::mechanism::{Body, DriverId, DriverSlots, Expansion, Owner};
+use crate::mechanism::{Body, Direction, DriverId, DriverSlots, Expansion, Owner};
 use crate::model::Model;
 use crate::relation::BODY_COORDINATES;
 use crate::scalar::{Dual, Scalar};
@@ -33,7 +33,31 @@ pub struct Varied<'a> {
     bodies: &'a [Body],
     drivers: Vec<Dual>,
     question: Question,
+    /// The adjusters whose directions move with points.
+    directed: Vec<Directed>,
     settling: Option<Box<Settling<'a>>>,
+}
+
+/// An adjuster whose direction lies between points.
+struct Directed {
+    /// How far (m) it is from where all points are as they are given.
+    value: f64,
+    along: Direction,
+    /// The first ones of the three parameters of each place that it moves.
+    places: Vec<usize>,
+}
+
+impl Directed {
+    /// Those of a stand, which counts its drivers from the static state where there is one.
+    fn of(stand: &Stand, settling: Option<&Settling<'_>>) -> Vec<Self> {
+        let directed = stand.system().expansion().directed_adjusters(stand.mechanism());
+        let directed = directed.into_iter().map(|(driver, along, places)| {
+            let name = &stand.mechanism().drivers()[driver.index()].name;
+            let settled = settling.and_then(|settling| settling.setting(name));
+            Self { value: stand.driver_value(driver) + settled.unwrap_or(0.0), along, places }
+        });
+        directed.collect()
+    }
 }
 
 /// What changes in a model, per unit of a parameter (SI).
@@ -89,6 +113,7 @@ impl<'a> Varied<'a> {
                 Question { others, by_force, drivers, constants, ..Question::default() }
             }
         };
+        let directed = Directed::of(stand, settling.as_ref());
         let values = stand.equilibrium().driver_values().iter();
         let drivers = values.map(|&value| Dual::from_f64(value)).collect();
         let parts = stand.vary()?;
@@ -105,6 +130,7 @@ impl<'a> Varied<'a> {
             bodies,
             drivers,
             question,
+            directed,
             settling,
         })
     }
@@ -201,7 +227,15 @@ impl<'a> Varied<'a> {
 
     /// What changes with the design positions of points.
     fn change_of(&self, points: &[Vector<Dual>]) -> Change {
-        let h: Vec<Dual> = self.expansion.parameters(points);
+        let mut h: Vec<Dual> = self.expansion.parameters(points);
+        for Directed { value, along, places } in &self.directed {
+            let along = along.at(points);
+            for place in places {
+                for (h, along) in h[*place..].iter_mut().zip(along) {
+                    h.derivative += value * along.derivative;
+                }
+            }
+        }
         Change {
             h: h.into_iter().map(|h| h.derivative).collect(),
             constants: vec![0.0; self.question.constants.len()],
