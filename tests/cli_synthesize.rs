@@ -204,6 +204,11 @@ fn wrong_files_and_options_are_told() {
     assert!(told(&[SEDAN, "none.toml"], 1).contains("none.toml"));
     let mechanism = told(&["models/four-bar.toml", &path], 1);
     assert!(mechanism.contains("mechanism"), "{mechanism}");
+    let adjusted = told(&["models/sedan-setup.toml", &path], 1);
+    assert!(
+        adjusted.contains("models/sedan-setup.toml: ") && adjusted.contains("[static]"),
+        "{adjusted}"
+    );
     let stop =
         targets(&OUT_OF_REACH.replace("value = 300.0", "value = 300.0\nat = { travel = 600.0 }"));
     let stop = told(&[SEDAN, &stop.1], 3);
